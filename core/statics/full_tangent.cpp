@@ -6,10 +6,7 @@
 namespace contactsim {
 
 FullTangent::FullTangent(StaticProblem& problem, const NodeGraph& graph, const FullTangentSettings& settings)
-    : problem_(problem),
-      graph_(graph),
-      blocks_(problem, graph, settings.tangent_diagonal_scale),
-      factor_(make_sparse_factor(is_symmetric())) {}
+    : Tangent(problem, graph, settings), graph_(graph), factor_(make_sparse_factor(is_symmetric())) {}
 
 void FullTangent::number_unknowns() {
   numbers_.assign(static_cast<std::size_t>(problem_.size()), -1);
@@ -50,25 +47,9 @@ SparseFactor::Matrix FullTangent::assemble() const {
   return matrix;
 }
 
-std::int64_t FullTangent::renew(const Eigen::VectorXd& increment, bool may_keep_elements) {
-  const TangentBlocks::Update update = blocks_.update(increment, free_shares_, may_keep_elements);
-  if (!update.exists) return update.n_evaluations;
-  if (update.has_new_elements) number_unknowns();
-  spring_size_ = update.spring_size;
-  is_current_ = false;
-  if (update.has_new_elements || has_changed_far(spring_size_of_factor_, spring_size_)) factorise();
-  return update.n_evaluations;
-}
-
-void FullTangent::factorise() {
-  exists_ = is_current_ = factor_->factorise(assemble());
-  spring_size_of_factor_ = spring_size_;
-}
-
-bool FullTangent::catch_up() {
-  if (is_current_) return false;
-  factorise();
-  return true;
+void FullTangent::follow(const Eigen::VectorXd& /*increment*/, bool has_new_elements) {
+  if (has_new_elements) number_unknowns();
+  exists_ = factor_->factorise(assemble());
 }
 
 void FullTangent::apply(const Eigen::VectorXd& residual, Eigen::VectorXd& z) const {

@@ -3,6 +3,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cmath>
+
 #include "core/statics/full_tangent.hpp"
 #include "core/statics/multigrid_tangent.hpp"
 
@@ -22,6 +25,31 @@ std::string why_factor(const StaticProblem& problem, const NodeGraph& graph) {
 }
 
 }  // namespace
+
+std::int64_t Tangent::renew(const Eigen::VectorXd& increment, bool may_keep_elements) {
+  constexpr double far = 0.1;
+  const TangentBlocks::Update update = blocks_.update(increment, free_shares_, may_keep_elements);
+  if (!update.exists) return update.n_evaluations;
+  increment_ = increment;
+  is_current_ = false;
+  spring_size_ = update.spring_size;
+  const double change = std::abs(spring_size_ - followed_spring_size_);
+  if (update.has_new_elements || change > far * std::max(spring_size_, followed_spring_size_))
+    follow_blocks(update.has_new_elements);
+  return update.n_evaluations;
+}
+
+void Tangent::follow_blocks(bool has_new_elements) {
+  follow(increment_, has_new_elements);
+  is_current_ = true;
+  followed_spring_size_ = spring_size_;
+}
+
+bool Tangent::catch_up() {
+  if (is_current_) return false;
+  follow_blocks(false);
+  return true;
+}
 
 LinearSolverChoice choose_linear_solver(const StaticProblem& problem, const NodeGraph& graph,
                                         LinearSolver asked) {

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <algorithm>
-#include <cmath>
 #include <memory>
 #include <string>
 #include <vector>
@@ -13,7 +11,8 @@
 
 namespace contactsim {
 
-/// Near the inverse of the whole stiffness, for Newton's steps.
+/// Near the inverse of the whole stiffness, for Newton's steps. It is kept where contact has other springs,
+/// until these have changed far or catch_up(): contact changes a few in every iteration.
 class Tangent : public Preconditioner {
  public:
   /// Finds the stiffness at an increment of the step; the one before stays where it cannot be evaluated.
@@ -21,25 +20,38 @@ class Tangent : public Preconditioner {
   ///   may_keep_elements  the springs of contact alone, which apply() has from catch_up() on, or at once
   ///   where
   ///                      they have changed far
-  virtual std::int64_t renew(const Eigen::VectorXd& increment, bool may_keep_elements = false) = 0;
+  std::int64_t renew(const Eigen::VectorXd& increment, bool may_keep_elements = false);
+  bool catch_up() final;
+  const Eigen::VectorXd* ground() const final {
+    return blocks_.ground().size() > 0 ? &blocks_.ground() : nullptr;
+  }
   /// Shares of their stiffness that nodes get to the ground [n_nodes]: find_free_bodies().
-  virtual void set_free(std::vector<double> shares) = 0;
+  void set_free(std::vector<double> shares) { free_shares_ = std::move(shares); }
   /// The largest stiffness of a node against moving, without contact [force/length].
-  virtual double largest() const = 0;
+  double largest() const { return blocks_.largest(); }
   virtual bool exists() const = 0;
   /// Directions along which the stiffness is known to be negative: of a body that has buckled.
   virtual std::int64_t n_negative() const { return 0; }
 
  protected:
-  /// Whether springs are so different from those of apply() that it has to follow.
-  ///   before, now  TangentBlocks::Update::spring_size
-  static bool has_changed_far(double before, double now) {
-    constexpr double far = 0.1;
-    return std::abs(now - before) > far * std::max(now, before);
-  }
-  static const Eigen::VectorXd* ground_of(const TangentBlocks& blocks) {
-    return blocks.ground().size() > 0 ? &blocks.ground() : nullptr;
-  }
+  Tangent(StaticProblem& problem, const NodeGraph& graph, const FullTangentSettings& settings)
+      : problem_(problem), blocks_(problem, graph, settings.tangent_diagonal_scale) {}
+
+  StaticProblem& problem_;
+  TangentBlocks blocks_;
+
+ private:
+  /// Has apply() follow the blocks.
+  ///   increment         that they are of
+  ///   has_new_elements  since the last time
+  virtual void follow(const Eigen::VectorXd& increment, bool has_new_elements) = 0;
+  void follow_blocks(bool has_new_elements);
+
+  std::vector<double> free_shares_;  // [n_nodes], or empty [1]
+  Eigen::VectorXd increment_;        // of the last renew()
+  bool is_current_ = false;          // apply() has the blocks of now
+  double spring_size_ = 0.0,
+         followed_spring_size_ = 0.0;  // TangentBlocks::Update::spring_size, of now, of apply()
 };
 
 /// The equation solver of a run.
