@@ -134,6 +134,7 @@ class ContactForce final : public ForceTerm, public StaticContact {
   LoftSpins make_spins() const;
   double largest_eigenvalue();
   void limit_step(const Motion& motion, ForceReport& report);
+  void note_element_stiffness();
   void limit_stiffness(const ContactKinematics& start);
   /// Returns the work of overlaps that are ramped [energy].
   double end_step(double time, double dt);

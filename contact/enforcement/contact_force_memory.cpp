@@ -56,6 +56,7 @@ std::uint64_t ContactForce::surfaces_digest() const {
 
 /// Faces have other stiffnesses than the mesh says, and depths of the start.
 void ContactForce::archive_faces(StateArchive& saved) {
+  if (saved.restores()) note_element_stiffness();
   saved.expect("contact/surfaces", surfaces_digest(), "contact surfaces");
   saved.expect("contact/n_pairs", setup_.contact.pairs.size(), "contact interactions");
   const auto visit = [](auto& item, RowNumbers& row) {

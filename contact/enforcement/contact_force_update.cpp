@@ -131,17 +131,25 @@ LoftSpins ContactForce::make_spins() const {
           setup_.model.rigid.nodes};
 }
 
+/// Remembers the stiffness behind new faces and nodes, which is that of their elements.
+void ContactForce::note_element_stiffness() {
+  if (!element_stiffness_.empty()) return;
+  const auto note = [&](const auto& items) {
+    for (const auto& item : items) element_stiffness_.push_back(item.penalty_properties.stiffness);
+  };
+  note(contact_mesh_.faces);
+  note(contact_mesh_.surface_nodes);
+  note(contact_mesh_.edges);
+}
+
 /// The stiffness behind faces and nodes as elements have it, limited by what masses and conditions allow now.
 ///   start  the faces at the start
 void ContactForce::limit_stiffness(const ContactKinematics& start) {
+  note_element_stiffness();
   const double scale = setup_.is_static() ? static_penalty_scale : 1.0;
-  std::size_t n = 0;
-  const bool is_new = element_stiffness_.empty();
+  auto of_elements = element_stiffness_.begin();
   const auto begin_anew = [&](auto& items) {
-    for (auto& item : items) {
-      if (is_new) element_stiffness_.push_back(item.penalty_properties.stiffness);
-      item.penalty_properties.stiffness = scale * element_stiffness_[n++];
-    }
+    for (auto& item : items) item.penalty_properties.stiffness = scale * *of_elements++;
   };
   begin_anew(contact_mesh_.faces);
   begin_anew(contact_mesh_.surface_nodes);

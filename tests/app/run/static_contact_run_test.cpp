@@ -84,7 +84,18 @@ TEST_CASE("contact of load steps has the same bytes for any number of threads", 
 TEST_CASE("contact of load steps goes on from a stored state with the same bytes", "[app][statics]") {
   const PressedBlock block;
   const std::string stored = "begin restart data\nat step 0 increment = 2\nend\n";
-  block.write_deck(sliding + full + stored, rough);
+  SECTION("under the same conditions") { block.write_deck(sliding + full + stored, rough); }
+  SECTION("where others come, by which the stiffness behind faces is limited anew") {
+    block.write_deck(sliding + full + stored +
+                         "begin fixed displacement\nblock = low\ncomponent = y\nactive periods = u\nend\n",
+                     rough + "enforcement = penalty\n");
+    std::string deck = block.read("a.i");
+    const std::string end = "termination time";
+    deck.insert(deck.find(end),
+                "begin time stepping block u\nstart time = 0.75\nbegin parameters for adagio region r\n"
+                "time increment = 0.25\nend\nend\n");
+    block.write("a.i", deck);
+  }
   REQUIRE(block.run({"a.i"}).exit_code == 0);
   const std::string straight = block.read("a.csv");
   const std::string deck = block.read("a.i");
