@@ -3,6 +3,9 @@
 # {ifndef(number_of_steps)}
 # {number_of_steps = 1}
 # {endif}
+# {ifndef(solver)}
+# {solver = "auto"}
+# {endif}
 begin sierra beside calculix
   begin material below
     density = 1
@@ -98,6 +101,7 @@ begin sierra beside calculix
         begin cg
 {if(tangent)}
           begin full tangent preconditioner
+            linear solver = {solver}
           end
 {endif}
         end

@@ -2,11 +2,12 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Runs the same contact models in CalculiX (ccx, Debian's calculix-ccx) and in contactsim, one after the other on one thread.
 
-    beside_calculix.py PROGRAM [--models hertz fit punch beam blocks-20 ...] [--repeats N] [--limit SECONDS]
+    beside_calculix.py PROGRAM [--models hertz fit punch beam blocks-20 ...] [--repeats N] [--limit SECONDS] [--alone]
 
 blocks-N presses two blocks of N x N x N elements onto each other: 20 are 16,000, 40 are 128,000. The program runs with nodal
 blocks and with the full tangent, CalculiX with nodes and with faces on faces, the latter also by its iterative solver. The smallest wall time of the repeats is told; a
-run that takes longer than the limit, 900 s, is ended and told as such.
+run that takes longer than the limit, 900 s, is ended and told as such. --alone leaves CalculiX out and runs the program with each
+equation solver.
 """
 import argparse
 import math
@@ -289,10 +290,10 @@ def run_calculix(model, folder, form, solver, limit):
     return seconds, read_calculix(folder / f"{form}.dat", model) if is_done else None, len(re.findall(r"^ iteration ", printed, re.M))
 
 
-def run_contactsim(program, model, folder, tangent, limit):
+def run_contactsim(program, model, folder, way, limit):
     command = [program, str(HERE / "beside_calculix.i"), "--threads", "1"]
     values = dict(lower_youngs=model.youngs[0], upper_youngs=model.youngs[1], nu=model.nu, load=model.load, amount=model.amount,
-                  tied=int(model.is_tied), tangent=tangent)
+                  tied=int(model.is_tied), **way)
     for name, value in values.items():
         command += ["-D", f"{name}={value}"]
     seconds, printed, is_done = time_command(one_core(command), folder, limit)
@@ -316,10 +317,14 @@ def compare(name, arguments):
     with tempfile.TemporaryDirectory() as folder:
         folder = Path(folder)
         model.mesh.write(folder / "beside_calculix.g")
-        jobs = [(label, lambda form=form, solver=solver: run_calculix(model, folder, form, solver, arguments.limit))
-                for label, form, solver in forms]
-        jobs += [(label, lambda tangent=tangent: run_contactsim(arguments.program, model, folder, tangent, arguments.limit))
-                 for label, tangent in (("contactsim, nodal blocks", 0), ("contactsim, full tangent", 1))]
+        jobs = [] if arguments.alone else [
+            (label, lambda form=form, solver=solver: run_calculix(model, folder, form, solver, arguments.limit))
+            for label, form, solver in forms]
+        ways = {"nodal blocks": dict(tangent=0), "full tangent": dict(tangent=1)}
+        if arguments.alone:
+            ways.update({name: dict(tangent=1, solver=name.lower()) for name in ("DIRECT", "AMG")})
+        jobs += [(f"contactsim, {name}", lambda way=way: run_contactsim(arguments.program, model, folder, way, arguments.limit))
+                 for name, way in ways.items()]
         best = {}
         for _ in range(arguments.repeats):
             for label, job in jobs:
@@ -342,6 +347,7 @@ def main():
     parser.add_argument("--models", nargs="+", default=["hertz", "fit", "punch", "beam", "blocks-20"])
     parser.add_argument("--repeats", type=int, default=3)
     parser.add_argument("--limit", type=float, default=900.0)
+    parser.add_argument("--alone", action="store_true")
     arguments = parser.parse_args()
     for name in arguments.models:
         compare(name, arguments)
