@@ -95,7 +95,7 @@ ContactSpring ContactSprings::spring_of(const WeightedNode& node,
     const FrictionStep& friction = node.friction;
     const bool slides = !friction.slip.isZero(0.0);
     const double way = (friction.elastic_slip + friction.slip).norm();
-    spring.stiffness(1, 1) = slides ? 0.0 : node.penalty.stiffness * node.bearing;
+    spring.stiffness(1, 1) = slides ? 0.0 : node.slip_stiffness() * node.bearing;
     spring.stiffness(2, 2) = slides ? friction.force.norm() / way * node.bearing : spring.stiffness(1, 1);
     // What slides is dragged against its way by more where the gap closes.
     if (slides) spring.unsymmetric(1, 0) = -node.friction_slope * node.slope * node.bearing;
@@ -121,8 +121,9 @@ std::optional<ContactSpring> ContactSprings::friction_spring_of(const ContactPoi
   if (!(held > 0.0) && slides) return std::nullopt;
   Eigen::Matrix3d along = Eigen::Matrix3d::Identity() - point.normal * point.normal.transpose();
   if (slides) along -= point.tangential * point.tangential.transpose() / (held * held);
-  ContactSpring spring = spring_between(point, (slides ? held / way : point.stiffness) * along);
-  if (slides && point.force > 0.0) {
+  ContactSpring spring =
+      spring_between(point, (slides ? held / way : slip_stiffness_share * point.stiffness) * along);
+  if (slides && point.force > 0.0 && (limits_follow_ || !point.first.is_node())) {
     const double slope = rule.slip_limit_slope(point.force, point.area, dt > 0.0 ? slips / dt : 0.0);
     spring.unsymmetric = slope * point.stiffness / held * point.tangential * point.normal.transpose();
   }

@@ -13,8 +13,10 @@ namespace contactsim {
 class ContactSprings {
  public:
   /// All must outlive this.
-  ContactSprings(const Model& model, const ContactKinematics& kinematics, const PairRules& rules)
-      : model_(model), kinematics_(kinematics), rules_(rules) {}
+  ///   limits_follow  the limits of friction of nodes are those of what presses
+  ContactSprings(const Model& model, const ContactKinematics& kinematics, const PairRules& rules,
+                 bool limits_follow)
+      : model_(model), kinematics_(kinematics), rules_(rules), limits_follow_(limits_follow) {}
 
   /// The spring of a contact point that touches along its normal.
   ContactSpring spring_of(const ContactPoint& point) const;
@@ -43,6 +45,7 @@ class ContactSprings {
   const Model& model_;
   const ContactKinematics& kinematics_;
   const PairRules& rules_;
+  bool limits_follow_;
 };
 
 }  // namespace contactsim

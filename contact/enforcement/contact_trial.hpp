@@ -6,6 +6,7 @@
 #include "contact/enforcement/contact_assembler.hpp"
 #include "contact/enforcement/offset_moments.hpp"
 #include "contact/formulations/contact_multipliers.hpp"
+#include "contact/formulations/slip_pressures.hpp"
 
 namespace contactsim {
 
@@ -24,6 +25,8 @@ struct ContactTrial {
   Eigen::Matrix3Xd offsets;  // of the points of lofts [length]
   ContactMultipliers multipliers;
   double dt = 0.0;  // of the step [time]
+  bool holds_slip_limits = false;
+  SlipPressures slip_pressures;  // of the trial whose limits are held
 };
 
 }  // namespace contactsim

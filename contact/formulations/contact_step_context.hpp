@@ -5,6 +5,7 @@
 #include "contact/formulations/contact_multipliers.hpp"
 #include "contact/formulations/held_slips.hpp"
 #include "contact/formulations/penetration_depths.hpp"
+#include "contact/formulations/slip_pressures.hpp"
 #include "contact/interface_laws/pair_rules.hpp"
 #include "contact/mesh/contact_kinematics.hpp"
 
@@ -15,6 +16,10 @@ class WeightedGaps;
 /// Rows of candidates that are worked on as one piece. Fixed, so that sums do not depend on the number of
 /// threads.
 inline constexpr std::size_t rows_per_chunk = 256;
+
+/// Of the stiffness along the normal, that of tangential springs in load steps, whose penalty is ten times
+/// that of explicit dynamics: what sticks holds as well by a tenth, and takes a third of Newton's steps.
+inline constexpr double slip_stiffness_share = 0.1;
 
 /// A step of contact: what the loops over contact points read.
 struct ContactStepContext {
@@ -33,7 +38,9 @@ struct ContactStepContext {
   bool is_trial = false;                            ///< nothing is remembered of what is found
   const ContactMultipliers* multipliers = nullptr;  ///< null without any
   const HeldSlips* held_slips = nullptr;            ///< of weighted nodes in the last step; null without any
-  const WeightedGaps* weighted_gaps = nullptr;      ///< that press faces; null: each of their points does
+  /// By which nodes have limits of friction; null: by what presses them.
+  const SlipPressures* slip_pressures = nullptr;
+  const WeightedGaps* weighted_gaps = nullptr;  ///< that press faces; null: each of their points does
 
   /// What closes within this time counts as about to touch: the next step must be small enough for the
   /// penalty of what it brings into touch [time].

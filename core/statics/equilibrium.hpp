@@ -37,6 +37,9 @@ class Equilibrium {
   virtual bool is_differentiable() const { return true; }
   /// Has the rough part push as it did in the last evaluation, whatever moves from now on; or lets it follow.
   virtual void hold_rough(bool /*does*/) {}
+  /// Has friction of the rough part slide at the forces that what presses in the last evaluation gives,
+  /// whatever presses from now on, or lets it follow what presses. Returns whether any is held.
+  virtual bool hold_slip_limits(bool /*does*/) { return false; }
   /// Adds to a vector what the rough part resists a direction with where the last find_springs() was, with no
   /// part that its large forces soften: far from balance steps by its derivative lead nowhere.
   virtual void add_springs(const Eigen::VectorXd& /*direction*/, Eigen::VectorXd& /*product*/) const {}

@@ -28,6 +28,10 @@ CgSettings settings_of(const CgSettings& settings, const DeckName& period, const
   return cg;
 }
 
+/// Of conjugate gradients where Newton's steps have led nowhere: what takes more is found sooner by half a
+/// step.
+constexpr std::int64_t most_after_newton = 300;
+
 /// Forces left over that are this many times as large as what loads them speak of a body that flies away.
 constexpr double runaway = 1e3;
 
@@ -112,7 +116,7 @@ void LoadSteps::search(const CgSettings& cg, Eigen::VectorXd& increment) {
   report_.has_left_newton = tangent_ != nullptr;
   CgSettings nodal = cg;
   const bool is_given = settings_during(settings_.cg, schedule_.period_name(step_begun_)).max_iterations > 0;
-  if (!is_given) nodal.max_iterations = nodal_iterations(*model_.mesh);
+  if (!is_given) nodal.max_iterations = has_tangent() ? most_after_newton : nodal_iterations(*model_.mesh);
   report_.search = nonlinear_cg(problem_, blocks_, nodal, increment);
   report_.n_evaluations += report_.search.n_evaluations;
 }
@@ -164,6 +168,7 @@ void LoadSteps::find_free() {
                                                            : std::numeric_limits<double>::infinity());
   free_ = std::move(free.rigid);
   if (tangent_) tangent_->set_free(std::move(free.shares));
+  if (linearised_) linearised_->set_free(free.are_any);
 }
 
 /// Seeks the equilibrium of a step, which it begins.
@@ -176,6 +181,11 @@ bool LoadSteps::seek(double dt, Eigen::VectorXd& increment) {
   begin_stabilization(dt);
   find_free();
   Eigen::VectorXd residual;
+  if (has_tangent() && problem_.contact() != nullptr) {
+    ++report_.n_evaluations;
+    problem_.evaluate(Eigen::VectorXd::Zero(problem_.size()), residual);
+    linearised_->hold_slip_limits();
+  }
   ++report_.n_evaluations;
   if (!increment.isZero(0.0) && !problem_.evaluate(increment, residual)) increment.setZero();
   renew_preconditioner(increment);

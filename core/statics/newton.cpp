@@ -80,17 +80,43 @@ CgReport newton(Equilibrium& equilibrium, LinearisedEquilibrium& linearised, con
   ++report.n_evaluations;
   bool exists = equilibrium.evaluate(increment, residual);
   double least = infinity;
+  // Friction by the pressure of a trial that is too deep drags as much too much, which leads nowhere. Far
+  // from balance it has limits that do not follow, as the problem is then one of a potential; near balance
+  // they do, and where that leaves more they are taken anew. Source: Kikuchi and Oden, Contact Problems in
+  // Elasticity (1988), 10.4.
+  constexpr int max_holds = 10;
+  int n_holds = 0;
   bool is_limited = false;  // the last step
+  bool is_stuck = false;    // the last step, by springs, left nearly all: the next one is by differences
   bool was_idle = false;    // the last step left more than half: the next one takes contact the other way
   for (int n_idle = 0; exists; ++report.n_iterations) {
-    const double size = equilibrium.norm(residual);
-    if (!std::isfinite(size) || is_balanced(equilibrium, size, settings, report)) break;
+    double size = equilibrium.norm(residual);
+    bool balances = is_balanced(equilibrium, size, settings, report);
+    if (!std::isfinite(size)) break;
+    const double held_up_to = report.n_iterations == 0 ? 1.0 : near_balance;
+    if (linearised.holds_slip_limits() && size <= held_up_to * report.reference) {
+      linearised.free_slip_limits();
+      ++report.n_evaluations;
+      if (!equilibrium.evaluate(increment, residual)) break;
+      size = equilibrium.norm(residual);
+      balances = is_balanced(equilibrium, size, settings, report);
+      least = infinity;
+      recent.fill(0.0);
+    }
+    if (balances && !linearised.holds_slip_limits()) break;
+    if (!linearised.holds_slip_limits() && size > report.reference && n_holds++ < max_holds) {
+      ++report.n_evaluations;
+      equilibrium.evaluate(increment, residual);
+      if (!linearised.hold_slip_limits()) n_holds = max_holds;
+    }
     n_idle = size < least || is_limited ? 0 : n_idle + 1;
     least = std::min(least, size);
     if (n_idle > max_idle || report.n_iterations >= settings.max_iterations) break;
     if (equilibrium.is_rough()) linearised.note_contact(increment);
     const bool is_near = size <= near_balance * report.reference;
-    linearised.set_near(is_near && equilibrium.is_differentiable() != was_idle);
+    const bool by_differences =
+        is_near ? equilibrium.is_differentiable() != was_idle : is_stuck && equilibrium.is_differentiable();
+    linearised.set_near(by_differences);
     recent[static_cast<std::size_t>(report.n_iterations) % recent.size()] = size;
     linearised.solve(increment, residual, residual, report, z);
     const double longest = equilibrium.longest_step(z);
@@ -113,8 +139,10 @@ CgReport newton(Equilibrium& equilibrium, LinearisedEquilibrium& linearised, con
       if (!equilibrium.is_rough() || now <= bound) break;
     }
     was_idle = is_near && !was_idle && best > 0.5 * size;
+    is_stuck = !by_differences && size <= report.reference && best > 0.8 * size;
     if (exists) increment.swap(best_trial);
   }
+  linearised.free_slip_limits();
   return report;
 }
 

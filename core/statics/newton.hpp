@@ -32,6 +32,13 @@ class LinearisedEquilibrium {
   void begin_step() { most_left_behind_ = least_left_behind; }
   /// Takes notice that contact may have closed, opened, begun to stick or to slide.
   void note_contact(const Eigen::VectorXd& increment) { renew_(increment, true); }
+  /// Has friction slide at the limits of the last evaluation until they are let follow what presses; not
+  /// where contact alone holds a body, which may slide away. Returns whether any are held.
+  bool hold_slip_limits() { return holds_slip_limits_ = !has_free_ && equilibrium_.hold_slip_limits(true); }
+  void free_slip_limits() { holds_slip_limits_ = equilibrium_.hold_slip_limits(false); }
+  /// Takes notice whether contact alone holds a body.
+  void set_free(bool has_free) { has_free_ = has_free; }
+  bool holds_slip_limits() const { return holds_slip_limits_; }
   /// Whether contact is linearised by differences, too.
   void set_near(bool is_near) { is_near_ = is_near; }
 
@@ -42,6 +49,7 @@ class LinearisedEquilibrium {
   bool is_near_ = false;
   static constexpr int least_left_behind = 20;
   int most_left_behind_ = least_left_behind;  // iterations by a preconditioner that is not that of now
+  bool holds_slip_limits_ = false, has_free_ = false;
 };
 
 /// Searches by Newton's steps: for bodies that bend far, whose residual grows before it falls, so that a

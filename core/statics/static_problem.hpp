@@ -78,6 +78,9 @@ class StaticProblem final : public Equilibrium {
   bool is_rough() const override { return contact_ != nullptr; }
   bool is_differentiable() const override { return contact_ == nullptr || contact_->is_differentiable(); }
   void hold_rough(bool does) override { holds_contact_ = does; }
+  bool hold_slip_limits(bool does) override {
+    return contact_ != nullptr && contact_->hold_slip_limits(does);
+  }
   void find_springs() override;
   void add_springs(const Eigen::VectorXd& direction, Eigen::VectorXd& product) const override;
   double longest_step(const Eigen::VectorXd& direction) const override;

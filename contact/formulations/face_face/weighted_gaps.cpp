@@ -83,9 +83,13 @@ void WeightedGaps::drag(const ContactStepContext& context, WeightedNode& node) {
   node.normal.normalize();
   const Eigen::Vector3d along = node.slip - node.normal.dot(node.slip) * node.normal;
   const double rate = context.dt > 0.0 ? along.norm() / context.dt : 0.0;
-  const double limit = node.rule->slip_limit(node.pressure, 1.0, rate);
-  node.friction_slope = node.rule->slip_limit_slope(node.pressure, 1.0, rate);
-  node.friction = step_friction(node.normal, node.elastic_slip, node.slip, node.penalty.stiffness, limit);
+  const double pressure = context.slip_pressures == nullptr
+                              ? node.pressure
+                              : context.slip_pressures->of(node.pair, node.row, node.pressure);
+  const double limit = node.rule->slip_limit(pressure, 1.0, rate);
+  if (context.slip_pressures == nullptr)
+    node.friction_slope = node.rule->slip_limit_slope(node.pressure, 1.0, rate);
+  node.friction = step_friction(node.normal, node.elastic_slip, node.slip, node.slip_stiffness(), limit);
 }
 
 const WeightedOverlap* WeightedGaps::find(std::size_t candidate) const {

@@ -170,6 +170,26 @@ TEST_CASE("what sticks and what slides resist by the derivatives of their forces
   CHECK(error < 0.05 * stiffness.colwise().norm().maxCoeff());
 }
 
+TEST_CASE("nodes slide at the limits that are held, until these follow what presses",
+          "[contact][contact_force][statics]") {
+  const std::string form = GENERATE(std::string(), node_face);
+  CAPTURE(form);
+  StaticPlates plates(form + rough), smooth(form);
+  const auto dragged = [&](double down) {
+    const Matrix3Xd forces = plates.try_motion({0.05, 0.02, down}, 0.0);
+    double sum = 0.0;
+    for (Eigen::Index i = 0; i < forces.cols(); ++i) sum += std::abs(forces(0, i));
+    return sum;
+  };
+  for (StaticPlates* some : {&plates, &smooth}) some->begin();
+  const double shallow = dragged(-0.02);
+  CHECK(plates.bodies.contact.hold_slip_limits(true));
+  CHECK(dragged(-0.03) == Approx(shallow).epsilon(0.01));
+  CHECK_FALSE(plates.bodies.contact.hold_slip_limits(false));
+  CHECK(dragged(-0.03) == Approx(1.5 * shallow).epsilon(0.01));
+  CHECK_FALSE(smooth.bodies.contact.hold_slip_limits(true));
+}
+
 TEST_CASE("springs of faces that are bent and open in places are the derivatives of their forces",
           "[contact][contact_force][statics]") {
   StaticPlates plates("");

@@ -2,6 +2,7 @@
 #include "core/statics/newton.hpp"
 
 #include <Eigen/Dense>
+#include <optional>
 
 #include "support/catch.hpp"
 
@@ -16,9 +17,10 @@ class Slider final : public Equilibrium {
   bool evaluate(const Eigen::VectorXd& increment, Eigen::VectorXd& residual) override {
     ++n_evaluations;
     if (!holds_) pressed_ = increment;
-    const double depth = -pressed_(1), pressure = floor * depth * depth;
+    const double depth = std::max(0.0, -pressed_(1)), pressure = floor * depth * depth;
     residual = push - (stiffness * increment.array()).matrix();
-    if (depth > 0.0) residual += Eigen::Vector2d(-friction * pressure, pressure);
+    drag_ = friction * pressure;
+    residual += Eigen::Vector2d(-held_drag_.value_or(drag_), pressure);
     return increment.cwiseAbs().maxCoeff() < 1e3;
   }
   double reference() const override { return push.norm(); }
@@ -27,19 +29,27 @@ class Slider final : public Equilibrium {
   }
   bool is_rough() const override { return true; }
   void hold_rough(bool does) override { holds_ = does; }
+  bool hold_slip_limits(bool does) override {
+    if (does) ++n_held;
+    held_drag_ = does ? std::optional(drag_) : std::nullopt;
+    return does;
+  }
+  bool holds_slip_limits() const { return held_drag_.has_value(); }
   void find_springs() override { ++n_springs; }
   void add_springs(const Eigen::VectorXd& direction, Eigen::VectorXd& product) const override {
     const double slope = 2.0 * floor * std::max(0.0, -pressed_(1)) * direction(1);
-    product += Eigen::Vector2d(-friction * slope, slope);
+    product += Eigen::Vector2d(held_drag_ ? 0.0 : -friction * slope, slope);
   }
 
   Eigen::Array2d stiffness{1.0, 2.0};
   double floor = 1e4, friction = 0.8;
   Eigen::Vector2d push{3.0, -1.0};
-  int n_evaluations = 0, n_springs = 0;
+  int n_evaluations = 0, n_springs = 0, n_held = 0;
 
  private:
   bool holds_ = false;
+  double drag_ = 0.0;
+  std::optional<double> held_drag_;
   Eigen::VectorXd pressed_;
 };
 
@@ -85,6 +95,22 @@ TEST_CASE("Newton's steps by differences find where friction slides", "[core][st
   const double depth = -increment(1);
   CHECK(slider.floor * depth * depth + 2.0 * depth == Approx(1.0));
   CHECK(increment(0) == Approx(3.0 - 0.8 * slider.floor * depth * depth));
+}
+
+TEST_CASE("far from balance friction has limits that do not follow what presses, near it they do",
+          "[core][statics]") {
+  const bool has_free = GENERATE(false, true);
+  Slider slider;
+  Divider divider;
+  LinearisedEquilibrium linearised(slider, divider, [&](const Eigen::VectorXd&, bool) {});
+  linearised.set_free(has_free);
+  Eigen::VectorXd increment = Eigen::Vector2d(0.0, -0.5), residual;  // too deep: dragged by 2000
+  const CgReport report = newton(slider, linearised, slider_settings(1e-10), increment);
+  CHECK(report.end == CgReport::End::converged);
+  CHECK((slider.n_held > 0) == !has_free);
+  CHECK_FALSE(slider.holds_slip_limits());
+  REQUIRE(slider.evaluate(increment, residual));
+  CHECK(residual.norm() < 1e-9);
 }
 
 TEST_CASE("a prediction by a step of Newton's balances what is prescribed", "[core][statics]") {
