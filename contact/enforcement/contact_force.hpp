@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "contact/enforcement/contact_checkpoint.hpp"
 #include "contact/enforcement/contact_detection.hpp"
 #include "contact/enforcement/contact_mobility.hpp"
 #include "contact/enforcement/contact_setup.hpp"
@@ -73,6 +74,12 @@ class ContactForce final : public ForceTerm, public StaticContact {
   ///   makes_new_edges  whether sharp edges that were none before become edges of contact
   void rebuild_surfaces(const Motion& motion, std::span<const ErodedNode> eroded_nodes,
                         bool makes_new_edges = true);
+  /// What rebuild_surfaces() changes, as it is between two load steps.
+  ///   motion  of the step before
+  ContactCheckpoint checkpoint(const Motion& motion);
+  /// Goes back to that, once the setup's contact has the surfaces of then again.
+  ///   motion  that of then
+  void restore(const Motion& motion, const ContactCheckpoint& checkpoint);
 
   const ContactMesh& contact_mesh() const { return contact_mesh_; }
   const PairRules& rules() const { return rules_; }
@@ -140,6 +147,7 @@ class ContactForce final : public ForceTerm, public StaticContact {
   void foresee(const State& state);
   double thinner_side(const ContactPoint& point) const;
   void remap(const ContactRemap& remap);
+  void leave_surfaces(const ContactMesh& before, const Motion& motion);
   std::uint64_t surfaces_digest() const;
   void archive_faces(StateArchive& saved);
 
