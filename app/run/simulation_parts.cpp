@@ -168,6 +168,12 @@ void Simulation::Parts::let_die() {
 void Simulation::Parts::start_anew() {
   if (load_steps) return load_steps->start(setup.transfer.has_value());
   at_start = start(setup.model, terms(), setup.control, state);
+  if (takes_over_contact) {
+    // Contact has held before: it gives out nothing as the run begins, and counts from here on.
+    Energies& energies = state.energies;
+    energies.start += energies.error - energies.contact;
+    energies.error = energies.contact = 0.0;
+  }
   if (contact) contact->warn_of_start(diagnostics);
   // The step of rigid bodies alone is a proposal; contact makes its stiffness after it.
   const bool is_bound = at_start.critical_element || contact;
