@@ -59,9 +59,10 @@ class ContactForce final : public ForceTerm, public StaticContact {
   /// Whether contact of load steps before has the same surfaces and pairs, so that take_over() can be called.
   bool is_like(const ContactForce& earlier) const;
   /// Takes over what contact of load steps before remembers, in load steps all of it: touch, friction, ties,
-  /// multipliers, sums. In explicit dynamics pairs whose momentum is balanced begin with its forces, and what
-  /// it has pressed counts as just touching as it is; others begin anew. To be called before the first
-  /// forces. Precondition: is_like(earlier).
+  /// multipliers, sums. In explicit dynamics what is tied or glued goes on to be, with its forces. Pairs
+  /// whose momentum is balanced begin with the forces of contact, and what it has pressed counts as just
+  /// touching as it is; others begin anew. To be called before the first forces. Precondition:
+  /// is_like(earlier).
   ///   ended   motion at the end of the procedure before, where nothing moves any more (dt 0)
   ///   motion  of the start
   void take_over(ContactForce& earlier, const Motion& ended, const Motion& motion);
