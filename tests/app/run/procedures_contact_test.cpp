@@ -17,7 +17,8 @@ using contactsim::test::ProgramOutput;
 
 namespace {
 
-constexpr std::size_t pressed_by = 1, pushed_by = 2, moves_by = 3, stored_by = 4, held_by = 5, lost = 6;
+constexpr std::size_t pressed_by = 1, pushed_by = 2, moves_by = 3, stored_by = 4, held_by = 5, lost = 6,
+                      rubbed = 7;
 
 /// A block on another one of other meshes, pressed down and aside by load steps up to time 1.
 struct PressedBlocks : ProgramDirectory {
@@ -64,7 +65,7 @@ struct PressedBlocks : ProgramDirectory {
            name +
            ".csv\nprecision = 17\nat step 0 increment = 1\nglobal force(z)\nglobal force(x)\n"
            "global kinetic_energy as kinetic\nglobal strain_energy as strain\nglobal contact_energy as held\n"
-           "global energy_error as lost\nend\n" +
+           "global energy_error as lost\nglobal friction_energy as rubbed\nend\n" +
            more + "end\nend\n";
   }
   ProgramOutput run_deck(const std::string& procedures, const std::string& sierra = "") const {
@@ -143,6 +144,8 @@ TEST_CASE("an explicit run from a contact preload does not ring", "[app][procedu
   CHECK(*std::max_element(moving.begin(), moving.begin() + 101) < 1e-4 * stored);
   CHECK(blocks.column("hold", pressed_by).front() == Approx(loads.back()).epsilon(1e-3));
   CHECK(blocks.column("hold", held_by).front() == 0.0);
+  CHECK(blocks.column("hold", rubbed).front() == Approx(blocks.column("load", rubbed).back()));
+  CHECK_THAT(run.out, Contains("put in by the start, overlaps    0.00000e+00"));
   for (const double energy : blocks.column("hold", lost)) CHECK(std::abs(energy) < 1e-8 * stored);
   CHECK(blocks.column("hold", pushed_by).front() ==
         Approx(blocks.column("load", pushed_by).back()).epsilon(1e-3));
