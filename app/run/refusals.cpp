@@ -58,6 +58,7 @@ class TransferRefusals {
   void refuse_contact() const;
 
  private:
+  bool takes_over_holding(const SurfacePair& pair) const;
   void refuse_here(const DeckLocation& location, std::string_view what, std::string hint = "") const {
     diagnostics_.add_error(location,
                            fmt::format("{} is not supported together with a PROCEDURAL TRANSFER", what),
@@ -98,6 +99,15 @@ void TransferRefusals::refuse_initial_conditions() const {
   }
 }
 
+/// Whether a pair holds nothing from the start on, or may hold what load steps before have held: all of it in
+/// load steps, what never fails in explicit dynamics.
+bool TransferRefusals::takes_over_holding(const SurfacePair& pair) const {
+  const InterfaceLawRow& law = row_of(*pair.law);
+  if (!law.holds_at_start) return true;
+  if (input_.earlier->contact_force() == nullptr) return false;
+  return input_.procedure.implicit_by.has_value() || law.holding == ContactLaw::tied;
+}
+
 /// What contact does once with the mesh, before the first step.
 void TransferRefusals::refuse_contact() const {
   if (input_.contact == nullptr) return;
@@ -106,7 +116,7 @@ void TransferRefusals::refuse_contact() const {
   if (contact.overlap_removal.is_on()) refuse_here(contact.name.location, "overlap removal", why);
   for (const SurfacePair& pair : input_.contact->pairs) {
     if (pair.closes_gaps()) return refuse_here(pair.location, "moving nodes onto the other side", why);
-    if (row_of(*pair.law).holds_at_start)
+    if (!takes_over_holding(pair))
       return refuse_here(pair.location, "contact that holds what is near at the start", why);
   }
 }

@@ -118,6 +118,20 @@ SurfaceChanges RunContact::update_for_deaths(const State& state, std::span<const
   return changes;
 }
 
+RunContactCheckpoint RunContact::checkpoint(const State& state) {
+  return {contact_.surfaces, *living_, *free_nodes_, force_.checkpoint(motion_of(state))};
+}
+
+void RunContact::restore(const State& state, const RunContactCheckpoint& checkpoint) {
+  contact_.surfaces = checkpoint.surfaces;
+  Diagnostics discarded;
+  make_lofts(input_.definition, input_.region, mesh_, contact_, discarded);
+  living_.emplace(checkpoint.living);
+  free_nodes_.emplace(checkpoint.free_nodes);
+  force_.restore(motion_of(state), checkpoint.force);
+  output_.renew();
+}
+
 void RunContact::write_debug_files() {
   if (!debug_.facets.empty())
     write_facet_mesh(debug_.facets, draw_surfaces(contact_, mesh_, force_.contact_mesh()), "contact facets");

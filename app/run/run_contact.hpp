@@ -16,6 +16,14 @@
 
 namespace contactsim {
 
+/// What deaths change of the contact of a run.
+struct RunContactCheckpoint {
+  ContactSurfaces surfaces;
+  SurfaceTracker living;
+  ErodedNodes free_nodes;
+  ContactCheckpoint force;
+};
+
 /// All that a run has because its region has a contact definition.
 class RunContact {
  public:
@@ -36,6 +44,11 @@ class RunContact {
   ///   alive  [n_elements] 0 of all dead elements
   SurfaceChanges update_for_deaths(const State& state, std::span<const ElementIndex> dead,
                                    std::span<const std::uint8_t> alive);
+  /// What that changes, as it is between two load steps. Precondition: surfaces follow deaths.
+  RunContactCheckpoint checkpoint(const State& state);
+  /// Goes back to it.
+  ///   state  that of then
+  void restore(const State& state, const RunContactCheckpoint& checkpoint);
   std::size_t n_eroded_nodes() const { return free_nodes_ ? free_nodes_->n_nodes() : 0; }
 
   /// What of each pair is too far apart to be held.

@@ -82,9 +82,6 @@ bool RunDeath::let_die(State& state, DeathRound round) {
     ill_defined = find_degenerate_faces(parts_.contact->force().contact_mesh(), state.coordinates);
   const auto dead = deaths_.step(state, ill_defined, round);
   dead_.assign(dead.begin(), dead.end());
-  tally_.n_died += dead.size();
-  tally_.n_dead = deaths_.n_dead();
-  tally_.n_dying = state.death.dying.size();
   return !dead_.empty() || !state.death.dying.empty();
 }
 
@@ -92,6 +89,7 @@ bool RunDeath::step(State& state) {
   const double begun = clock_seconds();
   const bool has_any = let_die(state, {});
   follow(state);
+  kept_.reset();
   seconds_ += clock_seconds() - begun;
   return has_any;
 }
@@ -100,8 +98,23 @@ bool RunDeath::look(State& state, bool repeats) {
   return let_die(state, {.repeats = repeats, .takes_worst = true});
 }
 
+void RunDeath::keep(const State& state) {
+  kept_.emplace(Kept{parts_.external, tally_, {}});
+  if (parts_.contact != nullptr) kept_->contact.emplace(parts_.contact->checkpoint(state));
+}
+
 void RunDeath::follow(const State& state) {
+  tally_.n_died += dead_.size();
+  tally_.n_dead = deaths_.n_dead();
+  tally_.n_dying = state.death.dying.size();
   if (!dead_.empty()) update_for_deaths(state, dead_);
+}
+
+void RunDeath::restore(State& state) {
+  deaths_.begin(state);
+  parts_.external = kept_->external;
+  tally_ = kept_->tally;
+  if (kept_->contact) parts_.contact->restore(state, *kept_->contact);
 }
 
 /// The shortest interval of all blocks counts; without any every step does.

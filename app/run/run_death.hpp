@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -42,7 +43,9 @@ class RunDeath final : public StaticDeaths {
   /// loads and contact. Returns whether elements have died or faded.
   bool step(State& state);
   bool look(State& state, bool repeats) override;
+  void keep(const State& state) override;
   void follow(const State& state) override;
+  void restore(State& state) override;
 
   /// Whether elements have died that a report is due of; begin_tally() is to follow the report.
   bool is_report_due(const State& state) const;
@@ -55,6 +58,12 @@ class RunDeath final : public StaticDeaths {
   double seconds() const { return seconds_; }
 
  private:
+  /// What follow() changes.
+  struct Kept {
+    ExternalForce external;
+    DeathTally tally;
+    std::optional<RunContactCheckpoint> contact;
+  };
   bool let_die(State& state, DeathRound round);
   void update_for_deaths(const State& state, std::span<const ElementIndex> dead);
 
@@ -67,7 +76,8 @@ class RunDeath final : public StaticDeaths {
   DeathLog detail_ = DeathLog::minimal;
   std::vector<ElementIndex> dead_;  // that loads and contact do not know of yet
   DeathTally tally_;
-  double reported_at_;  // when the log reported deaths last [time]
+  std::optional<Kept> kept_;  // of a load step in which elements die
+  double reported_at_;        // when the log reported deaths last [time]
   std::size_t n_may_die_ = 0;
   double seconds_ = 0.0;
 };

@@ -14,6 +14,7 @@
 #include "contact/interface_laws/refuse_laws.hpp"
 #include "core/definition/simulation.hpp"
 #include "core/dynamics/state_motion.hpp"
+#include "core/interface_laws/interface_law_table.hpp"
 
 namespace contactsim {
 
@@ -79,6 +80,7 @@ Simulation::Parts::Parts(const RunInput& run_input, RunSettings run_settings, Di
     state.forces.contact = Eigen::Matrix3Xd::Zero(3, input.mesh.n_nodes());
   }
   warn_of_new_contact();
+  refuse_held_anew();
   if (!setup.load_schedule) return;
   const SolverSettings solver = input.region.solver.value_or(SolverSettings{});
   load_steps.emplace(setup.model, terms(), contact ? &contact->force() : nullptr, solver,
@@ -119,7 +121,9 @@ void Simulation::Parts::warn_of_new_contact() {
   const ContactForce* earlier = setup.transfer ? std::as_const(*input.earlier).contact_force() : nullptr;
   if (earlier == nullptr) return;
   takes_over_contact = contact && setup.transfer->is_whole() && contact->force().is_like(*earlier);
-  const auto is_elastic = [](const SurfacePair& pair) { return pair.enforcement == Enforcement::penalty; };
+  const auto is_elastic = [](const SurfacePair& pair) {
+    return pair.enforcement == Enforcement::penalty && row_of(*pair.law).holding == ContactLaw::sliding;
+  };
   const bool begins_elastic =
       takes_over_contact && !setup.load_schedule && std::ranges::any_of(contact->model().pairs, is_elastic);
   const auto warn = [&](std::string text, std::string hint = "") {
@@ -138,6 +142,21 @@ void Simulation::Parts::warn_of_new_contact() {
         "of load steps have closed",
         "ENFORCEMENT = MOMENTUM_BALANCE begins with the forces of the procedure before");
   }
+}
+
+/// Refuses contact that holds what is near at the start where what has held it is not taken over.
+void Simulation::Parts::refuse_held_anew() {
+  const auto holds = [](const SurfacePair& pair) { return row_of(*pair.law).holds_at_start; };
+  if (!setup.transfer || !contact || takes_over_contact) return;
+  const SurfacePairs& pairs = contact->model().pairs;
+  const auto held = std::ranges::find_if(pairs, holds);
+  if (held == pairs.end()) return;
+  diagnostics.add_error(
+      held->location,
+      "contact that holds what is near at the start is not supported where a PROCEDURAL TRANSFER takes over "
+      "no contact",
+      "it goes on with INCLUDE ALL BLOCKS, and the surfaces and interactions of the procedure before");
+  stop_on_errors(diagnostics);
 }
 
 void Simulation::Parts::take_over() {
@@ -168,6 +187,12 @@ void Simulation::Parts::let_die() {
 void Simulation::Parts::start_anew() {
   if (load_steps) return load_steps->start(setup.transfer.has_value());
   at_start = start(setup.model, terms(), setup.control, state);
+  if (takes_over_contact) {
+    // Contact has held before: it gives out nothing as the run begins, and counts from here on.
+    Energies& energies = state.energies;
+    energies.start += energies.error - energies.contact;
+    energies.error = energies.contact = 0.0;
+  }
   if (contact) contact->warn_of_start(diagnostics);
   // The step of rigid bodies alone is a proposal; contact makes its stiffness after it.
   const bool is_bound = at_start.critical_element || contact;

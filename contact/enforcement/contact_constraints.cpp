@@ -251,12 +251,13 @@ ContactLoss ContactConstraints::finish() {
   return loss;
 }
 
-/// What a force loses in half of the step before. Before the first step the leapfrog stands mirrored.
+/// What a force loses in half of the step before. Before the first step the leapfrog stands mirrored, unless
+/// load steps before had pressed already.
 ///   before   way of the first side along the second in the step before [length]
 ///   changed  by which all forces change that of the coming step [length]
 double ContactConstraints::lost_before(const Eigen::Vector3d& force, const ContactPoint& point,
                                        const Eigen::Vector3d& before, const Eigen::Vector3d& changed) const {
-  if (dt_before_ > 0.0) return -0.5 * force.dot(before);
+  if (dt_before_ > 0.0 || begins_pressed_) return -0.5 * force.dot(before);
   const Eigen::Vector3d begun = relative_velocity(point, false) - relative_velocity(point, true);
   return 0.25 * force.dot(2.0 * dt_ * begun + changed);
 }

@@ -92,6 +92,12 @@ std::size_t ContactDetection::n_candidates() const {
   return n;
 }
 
+void ContactDetection::begin_with_ties(std::span<const Tie> ties) {
+  for_each_of_constraints(formulations_, [&](auto& formulation) {
+    if constexpr (requires { formulation.begin_with(ties); }) formulation.begin_with(ties);
+  });
+}
+
 void ContactDetection::find_constraints(const ContactStepContext& context, bool only_changed,
                                         ConstrainedPairs& constrained) {
   const NearCandidates near{formulations_.get<FaceFaceContacts>().candidates(),

@@ -60,6 +60,8 @@ class ContactDetection {
   void resume() { search_.reach_for_start(false); }
   std::size_t n_candidates() const;
 
+  /// TiedContacts::begin_with().
+  void begin_with_ties(std::span<const Tie> ties);
   /// Has ties and bonds hold what is near: of all pairs, or of those whose model has just changed, which lose
   /// what they had.
   void find_constraints(const ContactStepContext& context, bool only_changed, ConstrainedPairs& constrained);

@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "contact/enforcement/contact_checkpoint.hpp"
 #include "contact/enforcement/contact_detection.hpp"
 #include "contact/enforcement/contact_mobility.hpp"
 #include "contact/enforcement/contact_setup.hpp"
@@ -59,9 +60,10 @@ class ContactForce final : public ForceTerm, public StaticContact {
   /// Whether contact of load steps before has the same surfaces and pairs, so that take_over() can be called.
   bool is_like(const ContactForce& earlier) const;
   /// Takes over what contact of load steps before remembers, in load steps all of it: touch, friction, ties,
-  /// multipliers, sums. In explicit dynamics pairs whose momentum is balanced begin with its forces, and what
-  /// it has pressed counts as just touching as it is; others begin anew. To be called before the first
-  /// forces. Precondition: is_like(earlier).
+  /// multipliers, sums. In explicit dynamics what is tied or glued goes on to be, with its forces. Pairs
+  /// whose momentum is balanced begin with the forces of contact, and what it has pressed counts as just
+  /// touching as it is; others begin anew. To be called before the first forces. Precondition:
+  /// is_like(earlier).
   ///   ended   motion at the end of the procedure before, where nothing moves any more (dt 0)
   ///   motion  of the start
   void take_over(ContactForce& earlier, const Motion& ended, const Motion& motion);
@@ -74,6 +76,12 @@ class ContactForce final : public ForceTerm, public StaticContact {
   ///   makes_new_edges  whether sharp edges that were none before become edges of contact
   void rebuild_surfaces(const Motion& motion, std::span<const ErodedNode> eroded_nodes,
                         bool makes_new_edges = true);
+  /// What rebuild_surfaces() changes, as it is between two load steps.
+  ///   motion  of the step before
+  ContactCheckpoint checkpoint(const Motion& motion);
+  /// Goes back to that, once the setup's contact has the surfaces of then again.
+  ///   motion  that of then
+  void restore(const Motion& motion, const ContactCheckpoint& checkpoint);
 
   const ContactMesh& contact_mesh() const { return contact_mesh_; }
   const PairRules& rules() const { return rules_; }
@@ -142,6 +150,7 @@ class ContactForce final : public ForceTerm, public StaticContact {
   void foresee(const State& state);
   double thinner_side(const ContactPoint& point) const;
   void remap(const ContactRemap& remap);
+  void leave_surfaces(const ContactMesh& before, const Motion& motion);
   std::uint64_t surfaces_digest() const;
   void archive_faces(StateArchive& saved);
 

@@ -33,7 +33,10 @@ void ContactForce::take_over(ContactForce& earlier, const Motion& ended, const M
     Eigen::Matrix3Xd forces = Eigen::Matrix3Xd::Zero(3, ended.coordinates.cols());
     earlier.begin_trials(ended);
     earlier.try_forces(ended, forces, nullptr);
-    return balance_.begin_pressed(earlier.trial_->points);
+    balance_.begin_pressed(earlier.trial_->points);
+    kinematics_.set_offsets(earlier.kinematics_.offsets());
+    constrained_ = earlier.constrained_;
+    return detection_.begin_with_ties(earlier.ties());
   }
   StateArchive saves;
   earlier.archive(motion, saves);

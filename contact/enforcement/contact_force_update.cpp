@@ -11,6 +11,7 @@
 #include "contact/formulations/start_depths.hpp"
 #include "contact/mesh/feature_edges.hpp"
 #include "contact/mesh/smooth_surfaces.hpp"
+#include "core/base/state_archive.hpp"
 #include "core/definition/contact.hpp"
 
 namespace contactsim {
@@ -180,6 +181,13 @@ void ContactForce::rebuild_surfaces(const Motion& motion, std::span<const Eroded
   weighted_gaps_ = WeightedGaps(find_finer_surfaces());
   if (!makes_new_edges) take_off_new_edges(before, contact_mesh_);
   limit_stiffness(kinematics_of_mesh(contact_mesh_, *setup_.model.mesh));
+  leave_surfaces(before, motion);
+  histories_.forget_stored(points_, constraint_forces_);
+}
+
+/// Goes over to the faces that there are now.
+///   before  those of so far
+void ContactForce::leave_surfaces(const ContactMesh& before, const Motion& motion) {
   const ContactRemap remap = make_contact_remap(before, contact_mesh_);
   std::ranges::set_difference(std::span(before.mesh_nodes).first(before.n_mesh_points()),
                               std::span(contact_mesh_.mesh_nodes).first(contact_mesh_.n_mesh_points()),
@@ -195,7 +203,25 @@ void ContactForce::rebuild_surfaces(const Motion& motion, std::span<const Eroded
   kinematics_.move_nodes(motion);
   kinematics_.bound_all();
   kinematics_.watch(detection_.faces_with_candidates());
-  histories_.forget_stored(points_, constraint_forces_);
+}
+
+ContactCheckpoint ContactForce::checkpoint(const Motion& motion) {
+  StateArchive saves;
+  archive(motion, saves);
+  return {contact_mesh_, element_stiffness_, weighted_gaps_,       assembler_,
+          points_,       constraint_forces_, copy_of(saves.take())};
+}
+
+void ContactForce::restore(const Motion& motion, const ContactCheckpoint& checkpoint) {
+  const ContactMesh before = std::exchange(contact_mesh_, checkpoint.contact_mesh);
+  leave_surfaces(before, motion);
+  element_stiffness_ = checkpoint.element_stiffness;
+  weighted_gaps_ = checkpoint.weighted_gaps;
+  assembler_ = checkpoint.assembler;
+  points_ = checkpoint.points;
+  constraint_forces_ = checkpoint.constraint_forces;
+  StateArchive restores(checkpoint.memory);
+  archive(motion, restores);
 }
 
 }  // namespace contactsim

@@ -87,7 +87,11 @@ void ContactSearch::archive(StateArchive& saved) {
   // Most runs have neither, and states of such runs nothing of them.
   const bool has_new = saved.restores() ? saved.has("contact/search/new_faces")
                                         : !is_new_face_.empty() || !is_new_row_.empty();
-  if (!has_new) return;
+  if (!has_new) {
+    is_new_face_.clear();
+    is_new_row_.clear();
+    return;
+  }
   saved.list("contact/search/new_faces", is_new_face_);
   saved.list("contact/search/new_nodes", is_new_row_);
 }

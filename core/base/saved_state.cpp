@@ -22,4 +22,13 @@ const SavedArray* SavedState::find(std::string_view name) const {
   return found == arrays_.end() ? nullptr : &*found;
 }
 
+SavedState copy_of(const SavedState& state) {
+  SavedState copy(state.origin());
+  for (const SavedArray& array : state.arrays()) {
+    const std::span<std::byte> room = copy.add_room(array.name, array.type, array.count());
+    std::ranges::copy(array.bytes, room.begin());
+  }
+  return copy;
+}
+
 }  // namespace contactsim

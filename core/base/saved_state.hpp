@@ -75,4 +75,7 @@ class SavedState {
   std::vector<std::vector<std::byte>> owned_;
 };
 
+/// A state of the same numbers, whoever owns those now.
+SavedState copy_of(const SavedState& state);
+
 }  // namespace contactsim

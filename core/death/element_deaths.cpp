@@ -41,7 +41,7 @@ void ElementDeaths::begin(State& state) {
   for (std::size_t b = 0; b < model_.blocks.size(); ++b) {
     const ModelBlock& block = model_.blocks[b];
     for (std::size_t e = 0; e < block.n_elements; ++e) {
-      if (state.blocks[b].life_of(e) == 0.0) alive_[block.first_element.value + e] = 0;
+      alive_[block.first_element.value + e] = state.blocks[b].life_of(e) == 0.0 ? 0 : 1;
     }
   }
   n_dead_ = static_cast<std::size_t>(std::ranges::count(alive_, 0));

@@ -31,7 +31,8 @@ class ElementDeaths {
   ElementDeaths(const ConditionScope& scope, std::span<const std::vector<ElementIndex>> sets,
                 const OutputVariables& variables, const FaceGroups& faces);
 
-  /// Gives a state room for deaths. One that has it already, of a restart, is taken as it is.
+  /// Gives a state room for deaths. One that has it already, of a restart or an earlier one of the run, is
+  /// taken as it is.
   void begin(State& state);
 
   /// Ends a step: what is degraded is degraded further, criteria are looked at when they are due. To be

@@ -221,6 +221,7 @@ bool LoadSteps::try_step(double dt) {
   }
   report_.search.n_iterations = n_iterations;
   problem_.accept(increment);
+  before_deaths_.reset();
   return true;
 }
 
@@ -232,6 +233,7 @@ void LoadSteps::advance() {
   while (!try_step(dt)) {
     const CgReport failed = report_.search;
     problem_.restore();
+    undo_deaths();
     if (!schedule_.cut_back(begun)) {
       report_.search = failed;
       fail(fmt::format("no equilibrium is found with a step of {:.4g}: ", dt));

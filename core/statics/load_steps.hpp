@@ -21,7 +21,7 @@ struct LoadStepReport {
   std::int64_t n_evaluations = 0;  ///< of the residual, preconditioner and predictor included
   std::int64_t n_linear = 0;       ///< iterations of the equation solver, all trials of the step included
   std::int64_t n_cutbacks = 0;     ///< before it found equilibrium
-  std::int64_t n_again = 0;        ///< times that equilibrium was sought anew after deaths
+  std::int64_t n_again = 0;  ///< times that equilibrium was sought anew after deaths, since the last cutback
   bool has_deaths_left = false;  ///< it was so as often as CONTROL FAILURE lets it: others may die at the end
   std::int64_t n_updates = 0;    ///< of the multipliers of contact, after each of which it was sought anew
   MultiplierChange contact;      ///< that the multipliers would still have changed by at the end
@@ -58,8 +58,7 @@ class LoadSteps {
   /// without any stay where they are.
   void note_deaths();
   /// Has elements die in the steps to come by CONTROL FAILURE, where the deck has it: a step is made anew
-  /// without those that have died in it, until no others do. What has died stays dead where the step is cut
-  /// back then.
+  /// without those that have died in it, until no others do. They live again where the step is cut back then.
   ///   deaths  must outlive it
   void follow_deaths(StaticDeaths& deaths) { deaths_ = &deaths; }
 
@@ -73,6 +72,7 @@ class LoadSteps {
   bool try_step(double dt);
   bool seek(double dt, Eigen::VectorXd& increment);
   bool has_deaths(std::int64_t n_rounds);
+  void undo_deaths();
   std::vector<NodeIndex> find_lifeless();
   void find_free();
   std::string name_of(NodeIndex node) const;
@@ -85,6 +85,12 @@ class LoadSteps {
   void renew_preconditioner(const Eigen::VectorXd& increment, bool may_keep_elements = false);
   bool has_tangent() const;
   [[noreturn]] void fail(std::string text) const;
+
+  /// The start of a step in which elements have died since, as it was with them.
+  struct BeforeDeaths {
+    State state;
+    bool has_deaths = false;  ///< StaticProblem::has_deaths()
+  };
 
   const Model& model_;
   ForceTerms terms_;
@@ -99,11 +105,12 @@ class LoadSteps {
   std::optional<LinearSolverChoice> linear_solver_;
   std::unique_ptr<Tangent> tangent_;  // null where the deck asks for none
   std::optional<LinearisedEquilibrium> linearised_;
-  bool meets_negative_ = false;       // in the step
-  Eigen::VectorXd residual_;          // of the last evaluation
-  double step_begun_ = 0.0;           // [time]
-  std::vector<std::uint32_t> free_;   // rigid bodies that conditions do not hold
-  StabilizationLevel stabilization_;  // of the step as it is sought now
+  bool meets_negative_ = false;                // in the step
+  Eigen::VectorXd residual_;                   // of the last evaluation
+  double step_begun_ = 0.0;                    // [time]
+  std::optional<BeforeDeaths> before_deaths_;  // absent: none has died in the step
+  std::vector<std::uint32_t> free_;            // rigid bodies that conditions do not hold
+  StabilizationLevel stabilization_;           // of the step as it is sought now
   LoadStepReport report_;
 };
 

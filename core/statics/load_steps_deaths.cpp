@@ -36,6 +36,22 @@ std::vector<NodeIndex> nodes_of_dead_alone(const Mesh& mesh, std::span<const std
   return nodes;
 }
 
+/// Who lives, fades and is dead in a state.
+class Lives {
+ public:
+  explicit Lives(const State& state) : death_(state.death) {
+    for (const ModelBlockState& block : state.blocks) life_.push_back(block.life);
+  }
+  void bring_back(State& state) const {
+    state.death = death_;
+    for (std::size_t b = 0; b < life_.size(); ++b) state.blocks[b].life = life_[b];
+  }
+
+ private:
+  DeathState death_;
+  std::vector<std::vector<Lanes>> life_;  // [n_blocks]
+};
+
 }  // namespace
 
 /// Finds what deaths have left to join nodes. Returns the nodes without any of it.
@@ -58,15 +74,31 @@ bool LoadSteps::has_deaths(std::int64_t n_rounds) {
       settings_during(*settings_.control_failure, schedule_.period_name(step_begun_)).max_iterations;
   report_.has_deaths_left = most > 0 && n_rounds >= most;
   if (n_rounds >= most) return false;
+  const Lives lives(state_);
   ++state_.step;  // criteria count steps that have been made
   const bool has_any = deaths_->look(state_, n_rounds > 0);
   --state_.step;
   if (!has_any) return false;
   problem_.restore();
+  if (!before_deaths_) {
+    before_deaths_ = {state_, problem_.has_deaths()};
+    lives.bring_back(before_deaths_->state);
+    deaths_->keep(before_deaths_->state);
+  }
   deaths_->follow(state_);
   note_deaths();
   ++report_.n_again;
   return true;
+}
+
+/// Brings back the start of the step as it was before elements died in it.
+void LoadSteps::undo_deaths() {
+  if (!before_deaths_) return;
+  state_ = before_deaths_->state;
+  deaths_->restore(state_);
+  problem_.undo_deaths(find_lifeless(), before_deaths_->has_deaths);
+  before_deaths_.reset();
+  report_.n_again = 0;
 }
 
 }  // namespace contactsim

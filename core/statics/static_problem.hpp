@@ -37,7 +37,13 @@ class StaticProblem final : public Equilibrium {
   /// out of balance by that is let go in the step that follows.
   ///   lifeless  nodes of dead elements alone, of now: they stay where they are, as if held, ascending
   void note_deaths(std::vector<NodeIndex> lifeless);
-  /// The latter alone, where the state is one that note_deaths() has left.
+  /// Whether it was called since the last step.
+  bool has_deaths() const { return has_deaths_; }
+  /// To be called once the state is that of before note_deaths() again.
+  ///   lifeless    of then
+  ///   has_deaths  what has_deaths() was then
+  void undo_deaths(std::vector<NodeIndex> lifeless, bool has_deaths);
+  /// Takes notice of lifeless nodes alone, where the state is one that note_deaths() has left.
   void hold_lifeless(std::vector<NodeIndex> lifeless) { lifeless_ = std::move(lifeless); }
   /// Begins a step at the state: fixed and prescribed directions and what is remembered are those of now.
   ///   dt  of the step [time]

@@ -49,4 +49,9 @@ void StaticProblem::note_deaths(std::vector<NodeIndex> lifeless) {
   hold_nodes();
 }
 
+void StaticProblem::undo_deaths(std::vector<NodeIndex> lifeless, bool has_deaths) {
+  lifeless_ = std::move(lifeless);
+  has_deaths_ = has_deaths;
+}
+
 }  // namespace contactsim

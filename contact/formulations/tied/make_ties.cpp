@@ -5,14 +5,19 @@
 
 namespace contactsim {
 
+double tie_stiffness(const ContactStepContext& context, const InterfaceConstraint& tie) {
+  const ContactMesh& contact_mesh = context.kinematics.contact_mesh();
+  const PenaltyProperties& first = tie.is_node ? contact_mesh.surface_nodes[tie.row()].penalty_properties
+                                               : contact_mesh.faces[tie.first_face()].penalty_properties;
+  const PenaltyProperties& second = contact_mesh.faces[tie.second].penalty_properties;
+  return make_pair_penalty(first, &second, *context.rules[tie.pair].pair).stiffness;
+}
+
 std::optional<Tie> make_face_tie(const ContactStepContext& context, FaceIndex first, FaceIndex second,
                                  double tolerance) {
-  const ContactFace &a = context.kinematics.contact_mesh().faces[first],
-                    &b = context.kinematics.contact_mesh().faces[second];
   Tie tie{constraint_of_faces(context, first, second)};
-  const double stiffness =
-      make_pair_penalty(a.penalty_properties, &b.penalty_properties, *context.rules[tie.pair].pair).stiffness;
-  if (!tie_faces(context.kinematics.face(first), context.kinematics.face(second), stiffness, tolerance, tie))
+  if (!tie_faces(context.kinematics.face(first), context.kinematics.face(second), tie_stiffness(context, tie),
+                 tolerance, tie))
     return std::nullopt;
   return tie;
 }
@@ -23,14 +28,10 @@ std::optional<Tie> make_node_tie(const ContactStepContext& context, const NearPa
   const SurfaceNode& node = context.kinematics.contact_mesh().surface_nodes[near_pair.row()];
   const MovingFace moving = context.kinematics.face(near_pair.second);
   Tie tie{constraint_of_node(context, near_pair.row(), near_pair.second)};
-  const SurfacePair& pair = *context.rules[tie.pair].pair;
   tie.share = near_pair.share;
   tie.area = near_pair.share * context.kinematics.area_against(node, point->normal);
-  const PenaltyProperties& other =
-      context.kinematics.contact_mesh().faces[near_pair.second].penalty_properties;
-  const double stiffness = make_pair_penalty(node.penalty_properties, &other, pair).stiffness * tie.area;
   tie_node(context.kinematics.x(node.node), moving, corner_weights(point->xi, point->eta, moving.is_triangle),
-           stiffness, tie);
+           tie_stiffness(context, tie) * tie.area, tie);
   return tie;
 }
 

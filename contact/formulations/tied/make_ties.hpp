@@ -17,6 +17,10 @@ std::vector<Tie> make_ties(const ContactStepContext& context, const FacePairList
                            const NodeFaceLists& node_faces, double size_share,
                            const HoldsPair& holds = is_tied);
 
+/// The stiffness per area of the springs between what a tie holds, as both sides have it now
+/// [force/length^3].
+double tie_stiffness(const ContactStepContext& context, const InterfaceConstraint& tie);
+
 /// Ties two faces as they are now; nothing when they do not overlap.
 std::optional<Tie> make_face_tie(const ContactStepContext& context, FaceIndex first, FaceIndex second,
                                  double tolerance);

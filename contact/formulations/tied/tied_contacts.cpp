@@ -7,6 +7,7 @@
 
 #include "contact/formulations/tied/weld_failure.hpp"
 #include "core/base/state_archive.hpp"
+#include "core/interface_laws/interface_law_table.hpp"
 
 namespace contactsim {
 
@@ -18,6 +19,9 @@ void visit_tie(Tie& tie, RowNumbers& row) {
   for (TiePoint& point : tie.points)
     row(point.area, point.weights_1, point.weights_2, point.offset, point.force);
 }
+
+/// Whether a pair is tied or glued all along.
+bool always_holds(const PairRule& rule) { return row_of(*rule.pair->law).holding != ContactLaw::sliding; }
 
 void release(const Tie& tie, ConstrainedPairs& constrained) {
   if (tie.is_node) {
@@ -37,16 +41,34 @@ void hold(const Tie& tie, ConstrainedPairs& constrained) {
 
 }  // namespace
 
+void TiedContacts::begin_with(std::span<const Tie> ties) {
+  ties_.assign(ties.begin(), ties.end());
+  takes_over_ = true;
+}
+
 void TiedContacts::find_candidates(const ContactStepContext& context, const NearCandidates& near,
                                    bool only_changed, ConstrainedPairs& constrained) {
-  if (only_changed) {
-    const auto is_old = [&](const Tie& tie) { return context.rules[tie.pair].has_changed; };
-    for (const Tie& tie : ties_) {
-      if (is_old(tie)) release(tie, constrained);
+  const auto is_old = [&](const Tie& tie) {
+    const PairRule& rule = context.rules[tie.pair];
+    return only_changed ? rule.has_changed : !always_holds(rule);
+  };
+  for (const Tie& tie : ties_) {
+    if (is_old(tie)) release(tie, constrained);
+  }
+  std::erase_if(ties_, is_old);
+  const bool takes_over = takes_over_ && !only_changed;
+  if (takes_over) {
+    for (Tie& tie : ties_) {
+      const CornerVectors x = corners_of(context, tie);
+      if (context.rules[tie.pair].is_balanced) {
+        replace_springs_by_points(x, tie);
+      } else {
+        renew_springs(tie_stiffness(context, tie), x, tie);
+      }
     }
-    std::erase_if(ties_, is_old);
   }
   const auto ties_pair = [&](const PairRule& rule) {
+    if (takes_over && always_holds(rule)) return false;
     return (!only_changed || rule.has_changed) &&
            (rule.law == ContactLaw::tied || rule.law == ContactLaw::welded);
   };
@@ -60,7 +82,12 @@ void TiedContacts::detect(const ContactStepContext& context, std::vector<Constra
   for (std::size_t i = 0; i < ties_.size(); ++i) {
     const Tie& tie = ties_[i];
     const PairRule& rule = rule_of(context, tie);
-    if (!context.enforces(rule)) continue;
+    if (!context.enforces(rule)) {
+      const bool is_beside_balance = rule.is_active && !context.balances;
+      if (is_beside_balance && has_constant_forces(tie))
+        found.push_back({tie, find_tie_forces(tie, corners_of(context, tie)), i});
+      continue;
+    }
     const CornerVectors x = corners_of(context, tie);
     ConstraintForces one{tie, context.balances ? find_point_forces(tie, x) : find_tie_forces(tie, x), i};
     if (rule.law == ContactLaw::welded) {

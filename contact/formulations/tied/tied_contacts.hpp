@@ -14,6 +14,9 @@ namespace contactsim {
 /// An InterfaceFormulation.
 class TiedContacts {
  public:
+  /// Has pairs that are tied or glued begin with what load steps before held, by the stiffness of now and
+  /// with the forces of then, and nothing tied anew. To be called before find_candidates().
+  void begin_with(std::span<const Tie> ties);
   void find_candidates(const ContactStepContext& context, const NearCandidates& near, bool only_changed,
                        ConstrainedPairs& constrained);
   std::span<const Tie> constraints() const { return ties_; }
@@ -40,6 +43,7 @@ class TiedContacts {
 
  private:
   std::vector<Tie> ties_;
+  bool takes_over_ = false;  // of load steps before
 };
 
 }  // namespace contactsim

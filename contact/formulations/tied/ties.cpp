@@ -23,6 +23,9 @@ Corners8 join(const Eigen::Vector4d& first, const Eigen::Vector4d& second) {
   return weights;
 }
 
+/// The stiffness per area of the springs of a tie: their weights of a side sum up to 1 [force/length^3].
+double stiffness_of(const Tie& tie) { return tie.stiffness.topLeftCorner<4, 4>().sum() / tie.area; }
+
 /// Makes means of sums by area; points without area go.
 void finish_points(Tie& tie) {
   constexpr double negligible = 1e-6;  // of the area
@@ -105,6 +108,36 @@ CornerForces find_point_forces(const Tie& tie, const CornerVectors& x) {
       found.forces.col(static_cast<Eigen::Index>(k) + 4) -= transferred[k].transpose() * force;
   }
   return found;
+}
+
+/// Springs of stiffness k a with weights w and ends d apart hold a gap o open by k a (d - o). Others of c
+/// times their stiffness do so over the gap d - (d - o) / c, with 1 / c of the energy.
+void renew_springs(double stiffness, const CornerVectors& x, Tie& tie) {
+  const double factor = stiffness / stiffness_of(tie);
+  const Eigen::Matrix3d axes = axes_of(x.rightCols<4>());
+  const double stored = find_tie_forces(tie, x).stored;
+  const CornerVectors arms = x.colwise() - x.col(0);
+  tie.rest += (factor - 1.0) * axes.transpose() * arms * tie.stiffness;
+  tie.stiffness *= factor;
+  tie.springs *= factor;
+  tie.rest_energy += stored / factor - find_tie_forces(tie, x).stored;
+}
+
+void replace_springs_by_points(const CornerVectors& x, Tie& tie) {
+  const double stiffness = stiffness_of(tie);
+  const Eigen::Matrix3d axes = axes_of(x.rightCols<4>());
+  const CornerVectors of_springs = find_tie_forces(tie, x).forces;
+  for (std::uint32_t p = 0; p < tie.n_points; ++p) {
+    TiePoint& point = tie.points[p];
+    const Eigen::Vector3d now = axes.transpose() * offset_of(point, x);
+    point.force = stiffness * point.area * (point.offset - now);
+    point.offset = now;
+  }
+  tie.stiffness.setZero();
+  tie.springs.setZero();
+  tie.rest = axes.transpose() * (of_springs - find_point_forces(tie, x).forces);
+  tie.rest_energy = 0.0;
+  tie.rest_energy = -find_tie_forces(tie, x).stored;
 }
 
 }  // namespace contactsim

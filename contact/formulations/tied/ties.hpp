@@ -45,6 +45,20 @@ void tie_node(const Eigen::Vector3d& node, const MovingFace& face, const Eigen::
 ///   x  of the corners [length]
 CornerForces find_tie_forces(const Tie& tie, const CornerVectors& x);
 
+/// Gives a tie other springs, stretched so that they hold with the same forces as they do now.
+///   stiffness  per area of the springs [force/length^3]
+///   x          of the corners now [length]
+void renew_springs(double stiffness, const CornerVectors& x, Tie& tie);
+
+/// Has a tie with springs go on under momentum balance, which begins with their forces: its points are in
+/// place as they are now. Of the springs no more is left than what makes the forces of the points theirs,
+/// which does not depend on how far the sides are apart.
+///   x  of the corners now [length]
+void replace_springs_by_points(const CornerVectors& x, Tie& tie);
+
+/// Whether a tie has forces beside those of its points.
+inline bool has_constant_forces(const Tie& tie) { return tie.stiffness.isZero(0.0); }
+
 /// Where the first side's point of a tie is, from the second side's. The second side carries it there, though
 /// it may be off its place: so the forces on both sides leave no moment [length].
 Eigen::Vector3d offset_of(const TiePoint& point, const CornerVectors& x);

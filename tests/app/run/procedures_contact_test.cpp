@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Contact in a procedure that takes over the state of another, by the program.
 #include <algorithm>
+#include <cmath>
 
 #include "support/catch.hpp"
 #include "support/csv_column.hpp"
@@ -16,7 +17,8 @@ using contactsim::test::ProgramOutput;
 
 namespace {
 
-constexpr std::size_t pressed_by = 1, pushed_by = 2, moves_by = 3, stored_by = 4;
+constexpr std::size_t pressed_by = 1, pushed_by = 2, moves_by = 3, stored_by = 4, held_by = 5, lost = 6,
+                      rubbed = 7;
 
 /// A block on another one of other meshes, pressed down and aside by load steps up to time 1.
 struct PressedBlocks : ProgramDirectory {
@@ -62,7 +64,8 @@ struct PressedBlocks : ProgramDirectory {
            "begin heartbeat output\nstream name = " +
            name +
            ".csv\nprecision = 17\nat step 0 increment = 1\nglobal force(z)\nglobal force(x)\n"
-           "global kinetic_energy as kinetic\nglobal strain_energy as strain\nend\n" +
+           "global kinetic_energy as kinetic\nglobal strain_energy as strain\nglobal contact_energy as held\n"
+           "global energy_error as lost\nglobal friction_energy as rubbed\nend\n" +
            more + "end\nend\n";
   }
   ProgramOutput run_deck(const std::string& procedures, const std::string& sierra = "") const {
@@ -140,6 +143,10 @@ TEST_CASE("an explicit run from a contact preload does not ring", "[app][procedu
   const double stored = blocks.column("load", stored_by).back();
   CHECK(*std::max_element(moving.begin(), moving.begin() + 101) < 1e-4 * stored);
   CHECK(blocks.column("hold", pressed_by).front() == Approx(loads.back()).epsilon(1e-3));
+  CHECK(blocks.column("hold", held_by).front() == 0.0);
+  CHECK(blocks.column("hold", rubbed).front() == Approx(blocks.column("load", rubbed).back()));
+  CHECK_THAT(run.out, Contains("put in by the start, overlaps    0.00000e+00"));
+  for (const double energy : blocks.column("hold", lost)) CHECK(std::abs(energy) < 1e-8 * stored);
   CHECK(blocks.column("hold", pushed_by).front() ==
         Approx(blocks.column("load", pushed_by).back()).epsilon(1e-3));
 }
@@ -167,6 +174,102 @@ TEST_CASE("contact of load steps that follow others goes on with what these reme
         Approx(blocks.column("whole", stored_by).back()).epsilon(1e-6));
 }
 
+namespace {
+
+const std::string tied = "friction model = tied\n";
+const std::string corner =
+    "begin heartbeat output\nstream name = %.csv\nprecision = 17\nat step 0 increment = 1\n"
+    "nodal displacement(x) nearest location 1 1 1 as x\nnodal displacement(z) nearest location 1 1 1 as z\n"
+    "end\n";
+
+/// A procedure of the blocks, tied, that also writes c_<name>.csv with the motion of a corner.
+///   pair_lines  more of the interaction
+std::string tied_procedure(const std::string& kind, const std::string& name, const std::string& start,
+                           const std::string& end, const std::string& pair_lines,
+                           const std::string& more = "") {
+  std::string moving = corner;
+  moving.replace(moving.find('%'), 1, "c_" + name);
+  std::string text = PressedBlocks::procedure(kind, name, start, end, pair_lines, moving + more);
+  const std::string rough = "friction model = rough\n";
+  return text.replace(text.find(rough), rough.size(), tied);
+}
+
+}  // namespace
+
+TEST_CASE("an explicit run from a preload of tied bodies does not ring", "[app][procedures][ties]") {
+  const std::string form = GENERATE(std::string(), std::string("constraint formulation = node_face\n"));
+  const std::string law = GENERATE(std::string(), std::string("enforcement = penalty\n"));
+  const PressedBlocks blocks;
+  const auto run = blocks.run_deck(tied_procedure("adagio", "load", "0", "1", form) +
+                                   tied_procedure("presto", "hold", "1", "1.5", form + law));
+  CAPTURE(form, law, run.err);
+  REQUIRE(run.exit_code == 0);
+  CHECK(run.err == "");
+  const std::vector<double> moving = blocks.column("hold", moves_by);
+  REQUIRE(moving.size() > 100);
+  const double stored = blocks.column("load", stored_by).back();
+  CHECK(*std::max_element(moving.begin(), moving.begin() + 101) < 1e-4 * stored);
+  for (const std::size_t i : {pressed_by, pushed_by}) {
+    const double at_end = blocks.column("load", i).back();
+    const std::vector<double> forces = blocks.column("hold", i);
+    for (std::size_t step = 0; step <= 100; ++step) CHECK(forces[step] == Approx(at_end).epsilon(0.01));
+  }
+  // The tie keeps the places of the start: the preload moves the corner by 5e-3.
+  for (const std::size_t i : {1u, 2u}) {
+    const double at_end = blocks.column("c_load", i).back();
+    const std::vector<double> places = blocks.column("c_hold", i);
+    CHECK(std::abs(at_end) > 5e-4);
+    for (std::size_t step = 0; step <= 100; ++step) CHECK(std::abs(places[step] - at_end) < 1e-5);
+  }
+}
+
+TEST_CASE("what load steps have glued stays glued in explicit dynamics", "[app][procedures][ties]") {
+  const std::string law = GENERATE(std::string(), std::string("enforcement = penalty\n"));
+  const PressedBlocks blocks;
+  const auto glued = [](std::string text) {
+    const std::string rough = "begin constant friction model rough\nfriction coefficient = 0.5\n",
+                      aside = "scale factor = 20\n";
+    text.replace(text.find(rough), rough.size(), "begin glued model rough\n");
+    return text.replace(text.find(aside), aside.size(), "scale factor = 0\n");
+  };
+  const auto run = blocks.run_deck(glued(PressedBlocks::procedure("adagio", "load", "0", "1", "")) +
+                                   glued(PressedBlocks::procedure("presto", "hold", "1", "1.5", law)));
+  CAPTURE(law, run.err);
+  REQUIRE(run.exit_code == 0);
+  CHECK(run.err == "");
+  const std::vector<double> moving = blocks.column("hold", moves_by);
+  REQUIRE(moving.size() > 100);
+  CHECK(*std::max_element(moving.begin(), moving.begin() + 101) <
+        1e-4 * blocks.column("load", stored_by).back());
+  CHECK(blocks.column("hold", pressed_by).front() ==
+        Approx(blocks.column("load", pressed_by).back()).epsilon(1e-3));
+}
+
+TEST_CASE("ties of load steps go on in those that follow", "[app][procedures][ties]") {
+  const std::string form = GENERATE(std::string(), std::string("constraint formulation = node_face\n"));
+  const PressedBlocks blocks;
+  const auto run = blocks.run_deck(tied_procedure("adagio", "load", "0", "1", form) +
+                                   tied_procedure("adagio", "rest", "1", "2", form));
+  REQUIRE(run.exit_code == 0);
+  CHECK(run.err == "");
+  std::string whole = tied_procedure("adagio", "whole", "0", "2", form);
+  whole.insert(whole.find("termination time"),
+               "begin time stepping block u\nstart time = 1\nbegin parameters for adagio region whole\n"
+               "number of time steps = 4\nend\nend\n");
+  REQUIRE(blocks.run_deck(whole).exit_code == 0);
+  for (const std::size_t i : {1u, 2u})
+    CHECK(blocks.column("c_rest", i).back() == Approx(blocks.column("c_whole", i).back()).margin(1e-9));
+}
+
+TEST_CASE("ties are refused where no contact is taken over", "[app][procedures][ties]") {
+  const PressedBlocks blocks;
+  const auto run =
+      blocks.run_deck(tied_procedure("adagio", "load", "0", "1", "") +
+                      tied_procedure("presto", "hold", "1", "1.1", "constraint formulation = node_face\n"));
+  CHECK(run.exit_code == 2);
+  CHECK_THAT(run.err, Contains("where a PROCEDURAL TRANSFER takes over no contact"));
+}
+
 TEST_CASE("contact of other pairs begins anew after a transfer, which is told", "[app][procedures]") {
   const PressedBlocks blocks;
   const std::string loading = PressedBlocks::procedure("adagio", "load", "0", "1", "");
@@ -183,13 +286,15 @@ TEST_CASE("contact of other pairs begins anew after a transfer, which is told", 
 TEST_CASE("a deck of several procedures goes on from a stored state with the same bytes",
           "[app][procedures]") {
   const std::string second = GENERATE(std::string("presto"), std::string("adagio"));
+  const bool is_tied = GENERATE(false, true);
+  const auto make = is_tied ? tied_procedure : PressedBlocks::procedure;
   const PressedBlocks blocks;
   const auto data = [](const std::string& name) {
     return "begin restart data\noutput database name = " + name + ".rsout\ninput database name = " + name +
            ".rsout\nat step 0 increment = 2\nend\n";
   };
-  const std::string procedures = PressedBlocks::procedure("adagio", "load", "0", "1", "", data("load")) +
-                                 PressedBlocks::procedure(second, "rest", "1", "1.02", "", data("rest"));
+  const std::string procedures = make("adagio", "load", "0", "1", "", data("load")) +
+                                 make(second, "rest", "1", "1.02", "", data("rest"));
   REQUIRE(blocks.run_deck(procedures).exit_code == 0);
   const std::string loaded = blocks.read("load.csv"), rest = blocks.read("rest.csv");
   const auto ends_with = [](const std::string& text, const std::string& resumed) {

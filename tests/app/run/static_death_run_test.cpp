@@ -20,14 +20,17 @@ const std::string elastic_material =
     "begin material m\ndensity = 1000\nbegin parameters for model elastic\n"
     "youngs modulus = 1e6\npoissons ratio = 0\nend\nend\n"
     "begin function ramp\ntype = piecewise linear\nbegin values\n0 0\n1 1\nend\nend\n";
-const std::string four_steps =
-    "begin adagio procedure p\nbegin time control\nbegin time stepping block t\nstart time = 0\n"
-    "begin parameters for adagio region r\ntime increment = 0.25\nend\nend\ntermination time = 1\nend\n"
-    "begin adagio region r\nuse finite element model f\n";
+std::string steps_of(const std::string& increment) {
+  return "begin adagio procedure p\nbegin time control\nbegin time stepping block t\nstart time = 0\n"
+         "begin parameters for adagio region r\ntime increment = " +
+         increment +
+         "\nend\nend\ntermination time = 1\nend\nbegin adagio region r\nuse finite element model f\n";
+}
 
 /// A directory with a frame: two bars of 4 x 1 x 1 elements side by side between two walls, a stiff and a
 /// soft one, of which parts may die.
 struct PulledBars : ProgramDirectory {
+  std::string increment = "0.25";  ///< of load steps
   PulledBars() {
     contactsim::test::write_exodus(
         path("a.g"), MeshBuilder()
@@ -46,7 +49,7 @@ struct PulledBars : ProgramDirectory {
           "begin sierra\n" + sierra + elastic_material +
               "begin finite element model f\nbegin parameters for block one two\nmaterial = m\nmodel = "
               "elastic\nend\nend\n" +
-              four_steps +
+              steps_of(increment) +
               "begin fixed displacement\nnode set = clamped\ncomponents = x y z\nend\n"
               "begin fixed displacement\nnode set = pulled\ncomponents = y z\nend\n"
               "begin prescribed displacement\nnode set = pulled\ncomponent = x\nfunction = ramp\n"
@@ -173,6 +176,40 @@ TEST_CASE("what is left may not be able to bear the loads", "[app][statics][deat
   CHECK_THAT(err, Contains("no equilibrium is found with a step of"));
 }
 
+namespace {
+
+// One after the other where steps are small, and the bar holds by one end; both at once it is loose, with a
+// load.
+const std::string ends_die =
+    "begin element death d\nelement = 1\ncriterion is element value of von_mises > 6e3\nend\n"
+    "begin element death e\nelement = 4\ncriterion is element value of von_mises > 7e3\nend\n"
+    "begin prescribed force\nblock = one\ncomponent = x\nfunction = ramp\nend\n";
+
+}  // namespace
+
+TEST_CASE("what has died in a load step that is cut back lives again", "[app][statics][death]") {
+  PulledBars bars;
+  for (const std::string& search : {std::string(), by_tangent}) {
+    bars.increment = "0.0625";
+    bars.write_deck(ends_die, search + again);
+    const auto small = bars.run({"a.i"});
+    REQUIRE(small.exit_code == 0);
+    CHECK_THAT(small.out, Contains("Element death at step 10"));
+    const double force = bars.column(1).back();
+    CHECK(bars.column(2).back() == 1.0);
+    bars.increment = "1";
+    bars.write_deck(ends_die, search + again);
+    const auto large = bars.run({"a.i"});
+    CAPTURE(large.out);
+    REQUIRE(large.exit_code == 0);
+    CHECK(large.err == "");
+    CHECK(bars.column(0)[1] == 0.5);
+    CHECK(bars.column(2) == std::vector<double>{0, 0, 1, 1, 1});
+    CHECK(bars.column(1).back() == Approx(force).epsilon(1e-4));  // steps keep the turns of stress to that
+    CHECK_THAT(large.out, Contains("1 element died, 1 dead"));
+  }
+}
+
 TEST_CASE("deaths that no iteration of CONTROL FAILURE has balanced are told", "[app][statics][death]") {
   const PulledBars bars;
   const std::string fading =
@@ -228,6 +265,71 @@ struct Layered : ProgramDirectory {
 
 }  // namespace
 
+namespace {
+
+/// The bars, held from below, and a block that is pressed on the one that breaks.
+struct PressedBars : PulledBars {
+  PressedBars() {
+    contactsim::test::write_exodus(
+        path("a.g"), MeshBuilder()
+                         .add_hexes({1, "one", {4, 1, 1}, {0, 0, 0}, {4, 1, 1}})
+                         .add_hexes({2, "two", {4, 1, 1}, {0, 2, 0}, {4, 1, 1}, false})
+                         .add_hexes({3, "up", {3, 1, 1}, {0.5, 0.1, 1}, {3, 0.8, 1}, false})
+                         .add_node_set(1, "clamped", [](const Eigen::Vector3d& x) { return x.x() == 0.0; })
+                         .add_node_set(2, "pulled", [](const Eigen::Vector3d& x) { return x.x() == 4.0; })
+                         .add_node_set(3, "bottom", [](const Eigen::Vector3d& x) { return x.z() == 0.0; })
+                         .add_node_set(4, "top", [](const Eigen::Vector3d& x) { return x.z() == 2.0; })
+                         .build());
+  }
+  void write_deck(const std::string& lines = "", const std::string& sierra = "") const {
+    PulledBars::write_deck(
+        ends_die, by_tangent + again,
+        "begin fixed displacement\nnode set = bottom\ncomponent = z\nend\n"
+        "begin fixed displacement\nnode set = top\ncomponents = x y\nend\n"
+        "begin prescribed displacement\nnode set = top\ncomponent = z\nfunction = ramp\n"
+        "scale factor = -0.0004\nend\n"
+        "begin contact definition c\nskin all blocks = on\nbegin interaction defaults\n"
+        "general contact = on\nend\nend\n"
+        "begin user output\nblock = up\ncompute global push as sum of nodal force_contact(z)\nend\n"
+        "begin heartbeat output\nstream name = b.csv\nprecision = 17\nat step 0 increment = 1\n"
+        "global push\nglobal dead_elements as dead\nend\n" +
+            lines,
+        sierra);
+    edit("a.i", "block one two", "block one two up");
+  }
+};
+
+}  // namespace
+
+TEST_CASE("contact with what lives again is as it was", "[app][statics][death]") {
+  PressedBars bars;
+  bars.increment = "0.0625";
+  bars.write_deck();
+  REQUIRE(bars.run({"a.i"}).exit_code == 0);
+  const double push = csv_column(bars.read("b.csv"), 1).back();
+  CHECK(push > 400.0);
+  bars.increment = "1";
+  const std::string stored = "begin restart data\nat step 0 increment = 1\nend\n";
+  bars.write_deck(stored);
+  const auto large = bars.run({"a.i"});
+  CAPTURE(large.out);
+  REQUIRE(large.exit_code == 0);
+  CHECK(large.err == "");
+  const std::string straight = bars.read("b.csv");
+  CHECK(csv_column(straight, 2) == std::vector<double>{0, 0, 1, 1, 1});
+  CHECK(csv_column(straight, 1).back() == Approx(push).epsilon(1e-5));
+  CHECK_THAT(large.out, Contains("contact gains 1 face, loses 5 faces"));
+  CHECK_THAT(large.out, Contains("46 contact faces"));
+  // Before the second step that is cut back, and behind it.
+  for (const auto& [time, file] : {std::pair("0.5", "b.csv-s0002"), std::pair("0.6875", "b.csv-s0003")}) {
+    bars.write_deck(stored, "restart time = " + std::string(time) + "\n");
+    REQUIRE(bars.run({"a.i"}).exit_code == 0);
+    const std::string rest = bars.read(file), lines = rest.substr(rest.find('\n') + 1);
+    CHECK(lines.size() > 40);
+    CHECK(straight.ends_with(lines));
+  }
+}
+
 TEST_CASE("contact of load steps is with what is left of the bodies", "[app][statics][death]") {
   const auto last_force = [](bool has_layer, const std::string& solver) {
     const Layered blocks(has_layer);
@@ -237,7 +339,7 @@ TEST_CASE("contact of load steps is with what is left of the bodies", "[app][sta
     blocks.write("a.i",
                  "begin sierra\n" + elastic_material +
                      "begin finite element model f\nbegin parameters for block low up " + name +
-                     "\nmaterial = m\nmodel = elastic\nend\nend\n" + four_steps +
+                     "\nmaterial = m\nmodel = elastic\nend\nend\n" + steps_of("0.25") +
                      "begin fixed displacement\nnode set = bottom\ncomponents = x y z\nend\n"
                      "begin fixed displacement\nnode set = top\ncomponents = x y\nend\n"
                      "begin prescribed displacement\nnode set = top\ncomponent = z\nfunction = ramp\n"

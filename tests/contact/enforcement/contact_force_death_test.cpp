@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "contact/enforcement/contact_force.hpp"
 
+#include <algorithm>
 #include <memory>
 
 #include "contact/mesh/eroded_nodes.hpp"
@@ -121,6 +122,47 @@ TEST_CASE("deaths make new sharp edges unless the deck says otherwise", "[contac
   const std::size_t n_now = bodies.contact.contact_mesh().edges.size();
   if (makes_new_edges) CHECK(n_now >= n_edges + 4);
   if (!makes_new_edges) CHECK(n_now == n_edges);
+}
+
+TEST_CASE("contact goes back to what it was before deaths", "[contact][death]") {
+  const std::string lines =
+      GENERATE(as<std::string>{}, "", "constraint formulation = node_face\n", "enforcement = penalty\n",
+               "interaction behavior = infinitesimal_sliding\n");
+  const bool has_died_before = GENERATE(false, true), makes_new_edges = GENERATE(true, false);
+  const auto make = [&] {
+    auto bodies = std::make_unique<DyingBodies>("friction model = rough\n" + lines);
+    bodies->ask();
+    bodies->set_velocity(1, {1e-3, 0, 0});
+    for (int i = 0; i < 3; ++i) bodies->step(0.1);
+    if (has_died_before) bodies->kill({{0}, {1}}, makes_new_edges);
+    for (int i = 0; i < 3; ++i) bodies->step(0.1);
+    return bodies;
+  };
+  const auto untouched = make(), dying = make();
+  const ContactSurfaces surfaces = dying->definition.surfaces;
+  const ContactCheckpoint before = dying->contact.checkpoint(dying->motion());
+  // Below the cube, and a corner.
+  dying->kill({{2 + 6 * 1 + 18}, {35}}, makes_new_edges);
+  REQUIRE(dying->contact.contact_mesh().faces.size() != before.contact_mesh.faces.size());
+  dying->definition.surfaces = surfaces;
+  dying->contact.restore(dying->motion(), before);
+
+  CHECK(dying->contact.contact_mesh().faces.size() == untouched->contact.contact_mesh().faces.size());
+  CHECK(dying->contact.contact_mesh().edges.size() == untouched->contact.contact_mesh().edges.size());
+  CHECK(dying->contact.points().size() == untouched->contact.points().size());
+  const ContactCheckpoint after = dying->contact.checkpoint(dying->motion());
+  REQUIRE(after.memory.arrays().size() == before.memory.arrays().size());
+  for (const SavedArray& array : before.memory.arrays()) {
+    CAPTURE(array.name);
+    const SavedArray* now = after.memory.find(array.name);
+    REQUIRE(now != nullptr);
+    CHECK(std::ranges::equal(now->bytes, array.bytes));
+  }
+  for (int i = 0; i < 5; ++i) {
+    untouched->step(0.1);
+    dying->step(0.1);
+    CHECK(dying->forces == untouched->forces);
+  }
 }
 
 TEST_CASE("an overlap of the start stays that of a spring when a far element dies", "[contact][death]") {

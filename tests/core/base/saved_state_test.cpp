@@ -36,6 +36,21 @@ TEST_CASE("a view follows the numbers, a copy keeps them", "[core][saved_state]"
   CHECK(second("copy") == 8);
 }
 
+TEST_CASE("a copy of a state has numbers of its own", "[core][saved_state]") {
+  std::vector<float> values{1.0f, 2.0f};
+  SavedState state("run.rsout.1");
+  state.add_view("view", std::span<const float>(values));
+  const SavedState copy = copy_of(state);
+  values[0] = 3.0f;
+  CHECK(copy.origin() == "run.rsout.1");
+  REQUIRE(copy.arrays().size() == 1);
+  CHECK(copy.arrays()[0].type == SavedType::real32);
+  REQUIRE(copy.arrays()[0].count() == 2);
+  float first = 0.0f;
+  std::memcpy(&first, copy.find("view")->bytes.data(), sizeof(first));
+  CHECK(first == 1.0f);
+}
+
 TEST_CASE("room for an array stays where it is while others are added", "[core][saved_state]") {
   SavedState state("run.rsout.1");
   const std::span<std::byte> room = state.add_room("first", SavedType::uint64, 2);

@@ -63,6 +63,58 @@ TEST_CASE("a tie pulls, pushes and shears by stiffness times area", "[contact][t
   }
 }
 
+TEST_CASE("a tie with other springs goes on with its forces", "[contact][ties]") {
+  Random random(4);
+  for (int i = 0; i < 20; ++i) {
+    const MovingFace a = random_face(random, i % 2 == 0, true, 0.0),
+                     b = random_face(random, i % 3 == 0, false, 0.2);
+    Tie tie = tied(a, b);
+    CornerVectors x = corners_of(a, b);
+    x.leftCols<4>().colwise() += random_vector(random, 0.01);
+    x = ((random_rotation(random) * x).colwise() + random_vector(random, 3.0)).eval();
+    const CornerForces before = find_tie_forces(tie, x);
+    renew_springs(0.1 * stiffness, x, tie);
+    const CornerForces now = find_tie_forces(tie, x);
+    const double size = before.forces.colwise().norm().sum();
+    CHECK((now.forces - before.forces).norm() < 1e-9 * size);
+    CHECK(now.stored == Approx(10.0 * before.stored));
+    const Vector3d step(0.0, 0.002, 0.003), on_first = before.forces.leftCols<4>().rowwise().sum();
+    x.leftCols<4>().colwise() += step;
+    const Vector3d moved = find_tie_forces(tie, x).forces.leftCols<4>().rowwise().sum();
+    CHECK((moved - on_first + 0.1 * stiffness * tie.area * step).norm() < 1e-8 * size);
+  }
+}
+
+TEST_CASE("a tie goes on by its points with the forces of its springs", "[contact][ties]") {
+  Random random(1);
+  for (int i = 0; i < 20; ++i) {
+    const MovingFace a = random_face(random, i % 2 == 0, true, 0.0),
+                     b = random_face(random, i % 3 == 0, false, 0.2);
+    Tie tie = tied(a, b);
+    CornerVectors x = corners_of(a, b);
+    for (int k = 0; k < 8; ++k) x.col(k) += random_vector(random, 0.01);
+    if (a.is_triangle) x.col(3) = x.col(2);
+    if (b.is_triangle) x.col(7) = x.col(6);
+    x = ((random_rotation(random) * x).colwise() + random_vector(random, 3.0)).eval();
+    CHECK_FALSE(has_constant_forces(tie));
+    const CornerVectors before = find_tie_forces(tie, x).forces;
+    const double size = before.colwise().norm().sum();
+    replace_springs_by_points(x, tie);
+    REQUIRE(has_constant_forces(tie));
+    const CornerForces rest = find_tie_forces(tie, x);
+    CHECK((find_point_forces(tie, x).forces + rest.forces - before).norm() < 1e-9 * size);
+    CHECK(rest.stored == Approx(0.0).margin(1e-12));
+    const Eigen::Matrix3d axes = axes_of(x.rightCols<4>());
+    for (std::uint32_t p = 0; p < tie.n_points; ++p)
+      CHECK((axes * tie.points[p].offset - offset_of(tie.points[p], x)).norm() < 1e-12);
+    // They turn with the second side.
+    const Eigen::Matrix3d turn = random_rotation(random);
+    const CornerVectors turned = turn * x;
+    CHECK((find_tie_forces(tie, turned).forces - turn * rest.forces).norm() < 1e-9 * size);
+    check_balance(x, find_point_forces(tie, x).forces);
+  }
+}
+
 TEST_CASE("forces of ties over a gap balance in any deformation", "[contact][ties]") {
   Random random(2);
   for (int i = 0; i < 40; ++i) {
