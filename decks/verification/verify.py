@@ -38,6 +38,7 @@ import cases_shells  # noqa: E402, F401
 import cases_static  # noqa: E402, F401
 import cases_static_bodies  # noqa: E402, F401
 import cases_static_contact  # noqa: E402, F401
+import cases_static_forming  # noqa: E402, F401
 import cases_static_rigid  # noqa: E402, F401
 import cases_unit  # noqa: E402, F401
 import cases_solids  # noqa: E402, F401
