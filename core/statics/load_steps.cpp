@@ -113,6 +113,7 @@ void LoadSteps::search(const CgSettings& cg, Eigen::VectorXd& increment) {
     increment = begun;
     report_.n_evaluations += blocks_.renew(increment);
   }
+  if (linearised_) linearised_->free_slip_limits();
   report_.has_left_newton = tangent_ != nullptr;
   CgSettings nodal = cg;
   const bool is_given = settings_during(settings_.cg, schedule_.period_name(step_begun_)).max_iterations > 0;
@@ -182,7 +183,7 @@ bool LoadSteps::seek(double dt, Eigen::VectorXd& increment) {
   begin_stabilization(dt);
   find_free();
   Eigen::VectorXd residual;
-  if (has_tangent() && problem_.contact() != nullptr) {
+  if (linearised_ && problem_.contact() != nullptr) {
     ++report_.n_evaluations;
     problem_.evaluate(Eigen::VectorXd::Zero(problem_.size()), residual);
     linearised_->hold_slip_limits();
