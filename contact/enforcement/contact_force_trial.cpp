@@ -82,23 +82,13 @@ bool is_of_weighted_gaps(const ContactPoint& point) {
 }  // namespace
 
 bool ContactForce::hold_slip_limits(bool does) {
-  if (!rules_.has_friction()) return false;
-  trial_->holds_slip_limits = does;
-  if (!does) return false;
   std::vector<SlipPressures::Entry> pressures;
   for (const WeightedNode& node : weighted_gaps_.nodes()) {
-    if (node.has_friction()) pressures.push_back({node.pair, node.row, node.pressure});
+    if (does && node.has_friction()) pressures.push_back({node.pair, node.row, node.pressure});
   }
-  // A node in a corner has several points.
-  std::map<std::pair<PairIndex, SurfaceNodeIndex>, double> of_points;
-  for (const ContactPoint& point : trial_->points) {
-    if (!point.first.is_node() || !(point.area > 0.0)) continue;
-    double& pressure = of_points[{point.pair, point.row()}];
-    pressure = std::max(pressure, point.force / point.area);
-  }
-  for (const auto& [key, pressure] : of_points) pressures.push_back({key.first, key.second, pressure});
+  trial_->holds_slip_limits = !pressures.empty();
   trial_->slip_pressures.set(std::move(pressures));
-  return true;
+  return trial_->holds_slip_limits;
 }
 
 bool ContactForce::is_differentiable() const {
@@ -106,7 +96,7 @@ bool ContactForce::is_differentiable() const {
 }
 
 void ContactForce::visit_springs(const std::function<void(const ContactSpring&)>& take) const {
-  const ContactSprings springs(setup_.model, kinematics_, rules_, !trial_->holds_slip_limits);
+  const ContactSprings springs(setup_.model, kinematics_, rules_);
   const auto motions = detection_.node_motions(static_context(trial_->dt, true));
   for (auto begin = motions.begin(), end = begin; begin != motions.end(); begin = end) {
     end =

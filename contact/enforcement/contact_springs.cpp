@@ -121,9 +121,8 @@ std::optional<ContactSpring> ContactSprings::friction_spring_of(const ContactPoi
   if (!(held > 0.0) && slides) return std::nullopt;
   Eigen::Matrix3d along = Eigen::Matrix3d::Identity() - point.normal * point.normal.transpose();
   if (slides) along -= point.tangential * point.tangential.transpose() / (held * held);
-  ContactSpring spring =
-      spring_between(point, (slides ? held / way : slip_stiffness_share * point.stiffness) * along);
-  if (slides && point.force > 0.0 && (limits_follow_ || !point.first.is_node())) {
+  ContactSpring spring = spring_between(point, (slides ? held / way : point.stiffness) * along);
+  if (slides && point.force > 0.0) {
     const double slope = rule.slip_limit_slope(point.force, point.area, dt > 0.0 ? slips / dt : 0.0);
     spring.unsymmetric = slope * point.stiffness / held * point.tangential * point.normal.transpose();
   }

@@ -13,10 +13,8 @@ namespace contactsim {
 class ContactSprings {
  public:
   /// All must outlive this.
-  ///   limits_follow  the limits of friction of nodes are those of what presses
-  ContactSprings(const Model& model, const ContactKinematics& kinematics, const PairRules& rules,
-                 bool limits_follow)
-      : model_(model), kinematics_(kinematics), rules_(rules), limits_follow_(limits_follow) {}
+  ContactSprings(const Model& model, const ContactKinematics& kinematics, const PairRules& rules)
+      : model_(model), kinematics_(kinematics), rules_(rules) {}
 
   /// The spring of a contact point that touches along its normal.
   ContactSpring spring_of(const ContactPoint& point) const;
@@ -45,7 +43,6 @@ class ContactSprings {
   const Model& model_;
   const ContactKinematics& kinematics_;
   const PairRules& rules_;
-  bool limits_follow_;
 };
 
 }  // namespace contactsim

@@ -4,8 +4,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "contact/formulations/contact_step_context.hpp"
-#include "contact/interface_laws/friction.hpp"
 #include "core/interface_laws/pressure_law.hpp"
 
 namespace contactsim {
@@ -59,15 +57,6 @@ void push_node(const NodePenaltyInput& push, ContactPoint& point) {
   point.force = spring + damper;
   point.damped = -damper * speed * push.dt;
   point.slip = push.velocity * push.dt;
-}
-
-void add_rule_friction(const ContactStepContext& context, const PairRule& rule, double stiffness,
-                       ContactPoint& point) {
-  if (!context.is_static) return add_friction(stiffness, rule.slip_limit(point, context.dt), point);
-  double pressing = point.force;
-  if (context.slip_pressures != nullptr && point.first.is_node() && point.area > 0.0)
-    pressing = point.area * context.slip_pressures->of(point.pair, point.row(), point.force / point.area);
-  add_friction(slip_stiffness_share * stiffness, rule.slip_limit(point, context.dt, pressing), point);
 }
 
 }  // namespace contactsim

@@ -7,12 +7,9 @@
 
 #include "contact/geometry/contact_point.hpp"
 #include "contact/geometry/face_face.hpp"
-#include "contact/interface_laws/pair_rules.hpp"
 
 /// What all kinds of contact points share.
 namespace contactsim {
-
-struct ContactStepContext;
 
 /// What touched in the last step may be this much deeper than what did not, and as much deeper than it was.
 inline constexpr double known_depth = 1.5;
@@ -71,11 +68,5 @@ struct NodePenaltyInput {
 /// slip. Damping never pulls: what it takes from a separating node ends with the spring's force.
 ///   point  has its normal and gap, and whether it pulls
 void push_node(const NodePenaltyInput& push, ContactPoint& point);
-
-/// Gives a contact point that touches friction by its rule; takes the slip of the step and the elastic slip
-/// from it.
-///   stiffness  of its normal spring [force/length]
-void add_rule_friction(const ContactStepContext& context, const PairRule& rule, double stiffness,
-                       ContactPoint& point);
 
 }  // namespace contactsim

@@ -17,10 +17,6 @@ class WeightedGaps;
 /// threads.
 inline constexpr std::size_t rows_per_chunk = 256;
 
-/// Of the stiffness along the normal, that of tangential springs in load steps, whose penalty is ten times
-/// that of explicit dynamics: what sticks holds as well by a tenth, and takes a third of Newton's steps.
-inline constexpr double slip_stiffness_share = 0.1;
-
 /// A step of contact: what the loops over contact points read.
 struct ContactStepContext {
   const ContactKinematics& kinematics;
@@ -38,7 +34,7 @@ struct ContactStepContext {
   bool is_trial = false;                            ///< nothing is remembered of what is found
   const ContactMultipliers* multipliers = nullptr;  ///< null without any
   const HeldSlips* held_slips = nullptr;            ///< of weighted nodes in the last step; null without any
-  /// By which nodes have limits of friction; null: by what presses them.
+  /// By which weighted nodes have limits of friction; null: by what presses them.
   const SlipPressures* slip_pressures = nullptr;
   const WeightedGaps* weighted_gaps = nullptr;  ///< that press faces; null: each of their points does
 

@@ -47,13 +47,9 @@ double PairRule::slip_limit_slope(double force, double area, double rate) const 
 }
 
 double PairRule::slip_limit(const ContactPoint& point, double dt) const {
-  return slip_limit(point, dt, point.force);
-}
-
-double PairRule::slip_limit(const ContactPoint& point, double dt, double force) const {
-  if (interface_law == nullptr) return friction * std::max(force, 0.0);
+  if (interface_law == nullptr) return friction * std::max(point.force, 0.0);
   const Eigen::Vector3d along = point.slip - point.normal.dot(point.slip) * point.normal;
-  return slip_limit(std::max(force, 0.0), point.area, dt > 0.0 ? along.norm() / dt : 0.0);
+  return slip_limit(std::max(point.force, 0.0), point.area, dt > 0.0 ? along.norm() / dt : 0.0);
 }
 
 void PairRules::set_laws(IndexedVector<PairIndex, PairInterfaceLaw> laws) {

@@ -52,8 +52,6 @@ struct PairRule {
   double slip_limit_slope(double force, double area, double rate) const;
   /// The same of a contact point, by its force, area and slip of the step.
   double slip_limit(const ContactPoint& point, double dt) const;
-  /// The same under another normal force.
-  double slip_limit(const ContactPoint& point, double dt, double force) const;
   /// Goes over to a model.
   void take(const InterfaceLaw& taken);
 };

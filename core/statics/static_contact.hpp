@@ -85,9 +85,9 @@ class StaticContact {
   /// Whether the forces of the last trial have a derivative: not where the area before a node jumps as it
   /// goes from face to face.
   virtual bool is_differentiable() const = 0;
-  /// Has nodes that the last trial presses slide at the limits which that gives, whatever presses them in the
-  /// trials that follow, or lets the limits follow what presses. Returns whether any are held: not where
-  /// nothing has friction.
+  /// Has weighted nodes of faces that the last trial presses slide at the limits which that gives, whatever
+  /// presses them in the trials that follow, or lets the limits follow what presses. Returns whether any are
+  /// held.
   virtual bool hold_slip_limits(bool does) = 0;
   /// Calls take(spring) for all that held in the last trial.
   virtual void visit_springs(const std::function<void(const ContactSpring&)>& take) const = 0;

@@ -204,7 +204,7 @@ void EdgeEdgeContacts::detect_one(const ContactStepContext& context, EdgeIndex f
       point.elastic_slip = slips_before_[candidate][i];
       const double stiffness =
           make_pair_penalty(first.penalty_properties, &second.penalty_properties, *rule.pair).stiffness;
-      add_rule_friction(context, rule, stiffness * point.area, point);
+      add_friction(stiffness * point.area, rule.slip_limit(point, context.dt), point);
     }
     points.push_back(point);
   }

@@ -55,7 +55,7 @@ void FaceFaceContacts::add_friction_to(const ContactStepContext& context, const 
   point.slip = apart * context.dt;
   point.elastic_slip = push.faces.did_touch ? history_.elastic_slip(candidate.position)
                                             : history_.mean_slip(candidate.first, candidate.second);
-  add_rule_friction(context, rule, push.penalty.stiffness * point.area, point);
+  add_friction(push.penalty.stiffness * point.area, rule.slip_limit(point, context.dt), point);
 }
 
 }  // namespace contactsim

@@ -60,7 +60,7 @@ void NodeFaceContacts::detect_one(const ContactStepContext& context, SurfaceNode
     }
     if (!point.is_met() || !(rule.friction > 0.0) || point.is_balanced) continue;
     point.elastic_slip = node_history.elastic_slip(point.normal);
-    add_rule_friction(context, rule, near_face.penalty.stiffness * point.area, point);
+    add_friction(near_face.penalty.stiffness * point.area, rule.slip_limit(point, context.dt), point);
   }
 }
 

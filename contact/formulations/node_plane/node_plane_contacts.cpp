@@ -140,7 +140,7 @@ void NodePlaneContacts::detect_one(const ContactStepContext& context, const Node
   }
   if (!has_friction(rule, point)) return;
   if (!rule.acts_apart()) point.elastic_slip = candidate.elastic_slip;
-  add_rule_friction(context, rule, penalty.stiffness * area, point);
+  add_friction(penalty.stiffness * area, rule.slip_limit(point, context.dt), point);
 }
 
 /// The slip of a node that is near and does not touch stays.
