@@ -28,10 +28,6 @@ CgSettings settings_of(const CgSettings& settings, const DeckName& period, const
   return cg;
 }
 
-/// Of conjugate gradients where Newton's steps have led nowhere: what takes more is found sooner by half a
-/// step, but for bodies on their way to what they touch, and nodes on faces.
-constexpr std::int64_t most_after_newton = 300;
-
 /// Forces left over that are this many times as large as what loads them speak of a body that flies away.
 constexpr double runaway = 1e3;
 
@@ -117,8 +113,7 @@ void LoadSteps::search(const CgSettings& cg, Eigen::VectorXd& increment) {
   report_.has_left_newton = tangent_ != nullptr;
   CgSettings nodal = cg;
   const bool is_given = settings_during(settings_.cg, schedule_.period_name(step_begun_)).max_iterations > 0;
-  const bool ends_early = has_tangent() && !linearised_->has_free() && problem_.is_differentiable();
-  if (!is_given) nodal.max_iterations = ends_early ? most_after_newton : nodal_iterations(*model_.mesh);
+  if (!is_given) nodal.max_iterations = nodal_iterations(*model_.mesh);
   report_.search = nonlinear_cg(problem_, blocks_, nodal, increment);
   report_.n_evaluations += report_.search.n_evaluations;
 }

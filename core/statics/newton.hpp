@@ -38,7 +38,6 @@ class LinearisedEquilibrium {
   void free_slip_limits() { holds_slip_limits_ = equilibrium_.hold_slip_limits(false); }
   /// Takes notice whether contact alone holds a body.
   void set_free(bool has_free) { has_free_ = has_free; }
-  bool has_free() const { return has_free_; }
   bool holds_slip_limits() const { return holds_slip_limits_; }
   /// Whether contact is linearised by differences, too.
   void set_near(bool is_near) { is_near_ = is_near; }
