@@ -89,17 +89,21 @@ CgReport newton(Equilibrium& equilibrium, LinearisedEquilibrium& linearised, con
   bool is_limited = false;  // the last step
   bool is_stuck = false;    // the last step, by springs, left nearly all: the next one is by differences
   bool was_idle = false;    // the last step left more than half: the next one takes contact the other way
+  double size = 0.0;
+  bool balances = false;
+  const auto measure = [&] {
+    size = equilibrium.norm(residual);
+    balances = is_balanced(equilibrium, size, settings, report);
+  };
   for (int n_idle = 0; exists; ++report.n_iterations) {
-    double size = equilibrium.norm(residual);
-    bool balances = is_balanced(equilibrium, size, settings, report);
+    measure();
     if (!std::isfinite(size)) break;
     const double held_up_to = report.n_iterations == 0 ? 1.0 : near_balance;
     if (linearised.holds_slip_limits() && size <= held_up_to * report.reference) {
       linearised.free_slip_limits();
       ++report.n_evaluations;
       if (!equilibrium.evaluate(increment, residual)) break;
-      size = equilibrium.norm(residual);
-      balances = is_balanced(equilibrium, size, settings, report);
+      measure();
       least = infinity;
       recent.fill(0.0);
     }
