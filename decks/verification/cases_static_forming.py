@@ -58,7 +58,7 @@ def static_cone(bench):
                   (at(force, 0.8) - at(force, 1.0)) / (0.008 * stiffness), 0.06), *balances([run])]
 
 
-def die_on_slab(n):
+def die_on_slab(n, width=2.3):
     """Half of the slab, n elements high and wide, and of the die, both from the middle plane y = 0."""
     radius, half = 3.0, math.radians(30)
     mesh = MeshMaker()
@@ -69,7 +69,7 @@ def die_on_slab(n):
         low = radius * (1 - math.cos(turn))
         return 2.25 + radius * math.sin(turn), y, low + share * (1.2 - low)
     mesh.place = place
-    mesh.hexes("die", (-half, 0, 0), (2 * half, 2.3, 1), (round(1.6 * n), round(0.9 * n), max(2, n // 2)))
+    mesh.hexes("die", (-half, 0, 0), (2 * half, width, 1), (round(1.6 * n), round(0.9 * n * width / 2.3), max(2, n // 2)))
     mesh.node_set_where("middle", lambda x, y, z: near(y, 0))
     mesh.node_set_where("bottom", lambda x, y, z: near(z, -2))
     mesh.node_set_where("top", lambda x, y, z: near(z, 1.2))
@@ -91,3 +91,17 @@ def static_ironing(bench):
                    Check(f"force along {name}, of steps half as large", np.mean(values), np.mean(small[name]), 0.03),
                    at_most(f"force along {name}, change from face to face", np.ptp(fine[name]) / abs(mean), 0.03)]
     return checks + balances([fine_run, run, small_run], has_friction=True)
+
+
+@case()
+def static_sharp_die(bench):
+    """A die with a sharp edge along a line of nodes of the slab, and half an element beside it."""
+    checks, runs = [], []
+    for steps, width in ((10, 1.0), (20, 1.0), (10, 1.25)):
+        runs.append(bench.run("static_ironing", die_on_slab(4, width), steps=steps))
+    late = [run["pressed"][run["Time"] > 1.5] for run in runs]
+    mean = np.mean(late[0])
+    checks += [Check("force along z, of steps half as large", mean, np.mean(late[1]), 0.03),
+               at_most("force along z, change from face to face", np.ptp(late[0]) / mean, 0.05),
+               Check("force along z over the width, of an edge between nodes", mean, np.mean(late[2]) / 1.25, 0.2)]
+    return checks + balances(runs, has_friction=True)

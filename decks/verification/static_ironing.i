@@ -4,7 +4,7 @@
 #
 # Shows contact of load steps that moves on over many faces with friction, under large strains. No number is published for it: finer meshes
 # and smaller steps give the same forces, within 3 %, and the forces change by no more than 3 % as the segment goes on from face to face. A
-# segment narrower than the slab, whose sharp edge runs along a line of nodes, finds no equilibrium once it slides.
+# segment narrower than the slab, whose sharp edge runs along a line of nodes, does as well.
 #
 # {ifndef(steps)}
 # {steps = 10}

@@ -5,6 +5,7 @@
 #include "contact/formulations/face_face/face_face_contacts.hpp"
 #include "contact/formulations/face_face/weighted_gaps.hpp"
 #include "contact/formulations/flush_rims.hpp"
+#include "contact/geometry/common_plane.hpp"
 #include "contact/search/contact_search.hpp"
 #include "contact/smoothing/smooth_overlap.hpp"
 
@@ -31,6 +32,15 @@ CountedGap counted(double gap, double open) {
 double weight_at(double gap, double thickness) {
   const double fading = (load_step_reach - fading_share) * thickness;
   return std::clamp((load_step_reach * thickness - gap) / fading, 0.0, 1.0);
+}
+
+/// How much an overlap of faces counts by the cosine of their normals: the less the more they lean, and
+/// nothing where they begin to stand beside each other, so that none comes or goes with a force. The walls of
+/// a sharp corner, which lean away from what it is pressed into, would keep apart what the corner presses.
+double weight_of_lean(double cosine) {
+  constexpr double upright = -0.8;
+  const double share = std::clamp((max_facing_cosine - cosine) / (max_facing_cosine - upright), 0.0, 1.0);
+  return share * share * (3.0 - 2.0 * share);
 }
 
 /// An overlap by its mean gap, without a force.
@@ -98,7 +108,8 @@ void FaceFaceContacts::weigh_one(const ContactStepContext& context, const Candid
   const Eigen::Vector3d apart =
       faces.first.velocity_at(mean.weights_1) - faces.second.velocity_at(mean.weights_2);
   const double closed = -apart.dot(mean.normal) * context.dt;
-  overlap.weight = weight_at(mean.gap, thickness);
+  const double cosine = faces.first.look().area.normalized().dot(faces.second.look().area.normalized());
+  overlap.weight = weight_at(mean.gap, thickness) * weight_of_lean(cosine);
   overlap.penalty = make_penalty(candidate, faces.did_touch, std::max(closed, 0.0));
   overlap.penalty.law = {};  // multipliers press what is deep, not a penalty that grows stiffer
   // Of the mesh: what an offset makes deeper is no other wall.
