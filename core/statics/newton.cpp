@@ -89,6 +89,10 @@ CgReport newton(Equilibrium& equilibrium, LinearisedEquilibrium& linearised, con
   bool is_limited = false;  // the last step
   bool is_stuck = false;    // the last step, by springs, left nearly all: the next one is by differences
   bool was_idle = false;    // the last step left more than half: the next one takes contact the other way
+  // A residual that goes up and down, and has not halved for so many steps, may no longer grow.
+  constexpr std::int64_t max_fruitless = 6;
+  double marked_size = infinity;
+  std::int64_t marked = 0;
   double size = 0.0;
   bool balances = false;
   const auto measure = [&] {
@@ -104,7 +108,7 @@ CgReport newton(Equilibrium& equilibrium, LinearisedEquilibrium& linearised, con
       ++report.n_evaluations;
       if (!equilibrium.evaluate(increment, residual)) break;
       measure();
-      least = infinity;
+      least = marked_size = infinity;
       recent.fill(0.0);
     }
     if (balances && !linearised.holds_slip_limits()) break;
@@ -115,16 +119,20 @@ CgReport newton(Equilibrium& equilibrium, LinearisedEquilibrium& linearised, con
     }
     n_idle = size < least || is_limited ? 0 : n_idle + 1;
     least = std::min(least, size);
+    if (least <= 0.5 * marked_size) {
+      marked_size = least;
+      marked = report.n_iterations;
+    }
     if (n_idle > max_idle || report.n_iterations >= settings.max_iterations) break;
     if (equilibrium.is_rough()) linearised.note_contact(increment);
     const bool is_near = size <= near_balance * report.reference;
-    const bool by_differences =
-        is_near ? equilibrium.is_differentiable() != was_idle : is_stuck && equilibrium.is_differentiable();
+    const bool by_differences = is_near ? !was_idle : is_stuck;
     linearised.set_near(by_differences);
     recent[static_cast<std::size_t>(report.n_iterations) % recent.size()] = size;
     linearised.solve(increment, residual, residual, report, z);
     const double longest = equilibrium.longest_step(z);
-    const bool may_grow = size > report.reference && std::isinf(longest);
+    const bool is_fruitless = report.n_iterations - marked >= max_fruitless;
+    const bool may_grow = size > report.reference && std::isinf(longest) && !is_fruitless;
     const double bound = may_grow ? *std::ranges::max_element(recent) : size;
     is_limited = longest < 1.0;
     if (is_limited) z *= longest;
