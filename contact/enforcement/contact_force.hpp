@@ -44,7 +44,6 @@ class ContactForce final : public ForceTerm, public StaticContact {
   // Of load steps.
   void begin_trials(const Motion& motion) override;
   void try_forces(const Motion& motion, Eigen::Matrix3Xd& forces, Eigen::Matrix3Xd* moments) override;
-  bool is_differentiable() const override;
   bool hold_slip_limits(bool does) override;
   void visit_springs(const std::function<void(const ContactSpring&)>& take) const override;
   MultiplierChange update_multipliers(double tolerance) override;

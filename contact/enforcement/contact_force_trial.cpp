@@ -47,7 +47,7 @@ ContactStepContext ContactForce::static_context(double dt, bool is_trial) const 
   context.multipliers = &multipliers_;
   context.held_slips = &held_slips_;
   context.weighted_gaps = &weighted_gaps_;
-  if (is_trial && trial_->holds_slip_limits) context.slip_pressures = &trial_->slip_pressures;
+  if (is_trial && !trial_->slip_pressures.empty()) context.slip_pressures = &trial_->slip_pressures;
   return context;
 }
 
@@ -74,53 +74,6 @@ void ContactForce::try_forces(const Motion& motion, Eigen::Matrix3Xd& forces, Ei
 
 namespace {
 
-/// Whether weighted gaps of faces press a point of a load step.
-bool is_of_weighted_gaps(const ContactPoint& point) {
-  return !point.first.is_node() && !point.is_of_edges && !point.is_held_apart && !point.pulls;
-}
-
-}  // namespace
-
-bool ContactForce::hold_slip_limits(bool does) {
-  std::vector<SlipPressures::Entry> pressures;
-  for (const WeightedNode& node : weighted_gaps_.nodes()) {
-    if (does && node.has_friction()) pressures.push_back({node.pair, node.row, node.pressure});
-  }
-  trial_->holds_slip_limits = !pressures.empty();
-  trial_->slip_pressures.set(std::move(pressures));
-  return trial_->holds_slip_limits;
-}
-
-bool ContactForce::is_differentiable() const {
-  return std::ranges::all_of(trial_->points, is_of_weighted_gaps);
-}
-
-void ContactForce::visit_springs(const std::function<void(const ContactSpring&)>& take) const {
-  const ContactSprings springs(setup_.model, kinematics_, rules_);
-  const auto motions = detection_.node_motions(static_context(trial_->dt, true));
-  for (auto begin = motions.begin(), end = begin; begin != motions.end(); begin = end) {
-    end =
-        std::find_if(begin, motions.end(), [&](const auto& other) { return other.number != begin->number; });
-    take(springs.spring_of(weighted_gaps_.nodes()[begin->number], {begin, end}));
-  }
-  const std::span<const ContactPoint> points = trial_->points;
-  for (const ContactPoint& point : points) {
-    if (!is_of_weighted_gaps(point)) take(springs.spring_of(point));
-  }
-  for (const ContactPoint& point : points) {
-    if (is_of_weighted_gaps(point)) continue;
-    if (const auto spring = springs.friction_spring_of(point, trial_->dt)) take(*spring);
-  }
-  const auto ties = detection_.ties();
-  for (const ConstraintForces& held : trial_->constraints) {
-    const bool is_tie = held.index < ties.size() && ties[held.index].nodes == held.constraint.nodes;
-    take(is_tie ? springs.spring_of(ties[held.index]) : springs.spring_of(held.constraint));
-  }
-  stabilization_.visit_springs(springs, take);
-}
-
-namespace {
-
 /// What a surface node of a pair presses with.
 struct MultiplierSums {
   double area = 0.0, depth_area = 0.0;  ///< [length^2] [length^3]
@@ -140,6 +93,55 @@ struct MultiplierSums {
     stiffness += node.area * node.slope;
   }
 };
+
+/// Whether weighted gaps of faces press a point of a load step.
+bool is_of_weighted_gaps(const ContactPoint& point) {
+  return !point.first.is_node() && !point.is_of_edges && !point.is_held_apart && !point.pulls;
+}
+
+}  // namespace
+
+bool ContactForce::hold_slip_limits(bool does) {
+  std::vector<SlipPressures::Entry> pressures;
+  std::map<std::pair<PairIndex, SurfaceNodeIndex>, MultiplierSums> nodes;
+  for (const ContactPoint& point : trial_->points) {
+    const bool has_friction = point.is_of_node_and_face() && rules_.of(point).friction > 0.0;
+    if (does && has_friction && point.force > 0.0) nodes[{point.pair, point.row()}].add(point);
+  }
+  for (const auto& [key, sum] : nodes) pressures.push_back({key.first, key.second, sum.force / sum.area});
+  for (const WeightedNode& node : weighted_gaps_.nodes()) {
+    if (does && node.has_friction()) pressures.push_back({node.pair, node.row, node.pressure});
+  }
+  trial_->slip_pressures.set(std::move(pressures));
+  return !trial_->slip_pressures.empty();
+}
+
+void ContactForce::visit_springs(const std::function<void(const ContactSpring&)>& take) const {
+  const ContactSprings springs(setup_.model, kinematics_, rules_);
+  const auto motions = detection_.node_motions(static_context(trial_->dt, true));
+  for (auto begin = motions.begin(), end = begin; begin != motions.end(); begin = end) {
+    end =
+        std::find_if(begin, motions.end(), [&](const auto& other) { return other.number != begin->number; });
+    take(springs.spring_of(weighted_gaps_.nodes()[begin->number], {begin, end}));
+  }
+  const std::span<const ContactPoint> points = trial_->points;
+  for (const ContactPoint& point : points) {
+    if (!is_of_weighted_gaps(point)) take(springs.spring_of(point));
+  }
+  for (const ContactPoint& point : points) {
+    if (is_of_weighted_gaps(point)) continue;
+    if (const auto spring = springs.friction_spring_of(point, trial_->dt, !trial_->slip_pressures.empty()))
+      take(*spring);
+  }
+  const auto ties = detection_.ties();
+  for (const ConstraintForces& held : trial_->constraints) {
+    const bool is_tie = held.index < ties.size() && ties[held.index].nodes == held.constraint.nodes;
+    take(is_tie ? springs.spring_of(ties[held.index]) : springs.spring_of(held.constraint));
+  }
+  stabilization_.visit_springs(springs, take);
+}
+
+namespace {
 
 /// Whether the penalty alone presses what touches, which may part.
 bool has_multipliers(const PairRule& rule) {

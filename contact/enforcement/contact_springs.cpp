@@ -112,7 +112,8 @@ ContactSpring ContactSprings::spring_of(const WeightedNode& node,
   return spring;
 }
 
-std::optional<ContactSpring> ContactSprings::friction_spring_of(const ContactPoint& point, double dt) const {
+std::optional<ContactSpring> ContactSprings::friction_spring_of(const ContactPoint& point, double dt,
+                                                                bool holds_limit) const {
   const PairRule& rule = rules_.of(point);
   if (!(rule.friction > 0.0)) return std::nullopt;
   const double held = point.tangential.norm(), slips = point.slip.norm();
@@ -121,8 +122,10 @@ std::optional<ContactSpring> ContactSprings::friction_spring_of(const ContactPoi
   if (!(held > 0.0) && slides) return std::nullopt;
   Eigen::Matrix3d along = Eigen::Matrix3d::Identity() - point.normal * point.normal.transpose();
   if (slides) along -= point.tangential * point.tangential.transpose() / (held * held);
-  ContactSpring spring = spring_between(point, (slides ? held / way : point.stiffness) * along);
-  if (slides && point.force > 0.0) {
+  const bool is_of_node = point.is_of_node_and_face();
+  const double sticking = (is_of_node ? static_slip_share : 1.0) * point.stiffness;
+  ContactSpring spring = spring_between(point, (slides ? held / way : sticking) * along);
+  if (slides && point.force > 0.0 && !(holds_limit && is_of_node)) {
     const double slope = rule.slip_limit_slope(point.force, point.area, dt > 0.0 ? slips / dt : 0.0);
     spring.unsymmetric = slope * point.stiffness / held * point.tangential * point.normal.transpose();
   }

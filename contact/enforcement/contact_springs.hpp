@@ -24,8 +24,10 @@ class ContactSprings {
                           std::span<const FaceFaceContacts::NodeMotion> motions) const;
   /// Along the surface, as long as a point sticks; what slides resists across the way that it slides by the
   /// force that friction has, and is dragged by more where its gap closes.
-  ///   dt  of the step [time]
-  std::optional<ContactSpring> friction_spring_of(const ContactPoint& point, double dt) const;
+  ///   dt           of the step [time]
+  ///   holds_limit  the limit of friction is held, whatever presses
+  std::optional<ContactSpring> friction_spring_of(const ContactPoint& point, double dt,
+                                                  bool holds_limit) const;
   /// Between the sides of a contact point.
   ///   stiffness  symmetric [force/length]
   ContactSpring spring_between(const ContactPoint& point, const Eigen::Matrix3d& stiffness) const;

@@ -24,9 +24,8 @@ struct ContactTrial {
   // Of the start of the step.
   Eigen::Matrix3Xd offsets;  // of the points of lofts [length]
   ContactMultipliers multipliers;
-  double dt = 0.0;  // of the step [time]
-  bool holds_slip_limits = false;
-  SlipPressures slip_pressures;  // of the trial whose limits are held
+  double dt = 0.0;               // of the step [time]
+  SlipPressures slip_pressures;  // of the trial whose limits are held; empty: none are
 };
 
 }  // namespace contactsim

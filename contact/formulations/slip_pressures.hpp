@@ -13,6 +13,7 @@ class SlipPressures {
  public:
   using Entry = PairNodeValues<double>::Entry;
 
+  bool empty() const { return of_nodes_.empty(); }
   void set(std::vector<Entry> entries) {
     has_any_.clear();
     for (const Entry& entry : entries) {

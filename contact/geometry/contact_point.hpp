@@ -50,6 +50,8 @@ struct ContactPoint {
   double work_after = 0.0;                         ///< the same in the half step to come [energy]
   double beyond_spring = 0.0;                      ///< stored besides what springs would store [energy]
 
+  /// Whether its first side is a node that meets a face, not a plane.
+  bool is_of_node_and_face() const { return first.is_node() && !is_of_edges && !second.weights.isZero(0.0); }
   /// Its entities by what they are.
   FaceIndex first_face() const { return {first_entity}; }
   FaceIndex second_face() const { return {second_entity}; }

@@ -7,6 +7,10 @@
 
 namespace contactsim {
 
+/// The tangential spring of nodes in load steps over the penalty, which is ten times that of explicit
+/// dynamics: what sticks holds as well, and takes a third of Newton's steps [1].
+inline constexpr double static_slip_share = 0.1;
+
 /// Friction of one contact point in one step.
 struct FrictionStep {
   Eigen::Vector3d force = Eigen::Vector3d::Zero();  ///< on the first side [force]

@@ -26,6 +26,13 @@ void PairWarnings::add_to(const std::vector<PairExclusion>& exclusions, Diagnost
   for (const auto& [by, pairs] : overridden_) add_overridden(by, pairs, exclusions, diagnostics);
   for (const auto& [interaction, surfaces] : both_sides_) add_both_sides(interaction, surfaces, diagnostics);
   for (const auto& [interaction, surfaces] : nodes_) add_nodes(interaction, surfaces, diagnostics);
+  for (const auto& [line, pair] : weighted_) {
+    diagnostics.add_warning(
+        "node-face-weighted", pair.location,
+        fmt::format("'{}' asks for NODE_FACE; in load steps faces press each other at the "
+                    "nodes of the finer side, by weighted gaps, as with FACE_FACE",
+                    pair.interaction));
+  }
   for (const PairExclusion& exclusion : exclusions) {
     if (exclusion.has_effect) continue;
     diagnostics.add_warning(

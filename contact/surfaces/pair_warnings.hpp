@@ -39,8 +39,10 @@ class PairWarnings {
   void note_both_sides(std::size_t interaction, SurfaceIndex surface);
   /// An interaction asks for FACE_FACE of a surface without faces.
   void note_nodes(std::size_t interaction, SurfaceIndex surface);
-  /// Warnings "interaction-overridden", "exclusion-without-effect", "one-sided-self" and
-  /// "node-set-face-face".
+  /// A pair of load steps that asks for NODE_FACE is pressed by weighted gaps of faces.
+  void note_weighted(const SurfacePair& pair) { weighted_.try_emplace(pair.location.line, pair); }
+  /// Warnings "interaction-overridden", "exclusion-without-effect", "one-sided-self", "node-set-face-face"
+  /// and "node-face-weighted".
   void add_to(const std::vector<PairExclusion>& exclusions, Diagnostics& diagnostics) const;
 
  private:
@@ -59,6 +61,7 @@ class PairWarnings {
   const SurfaceList& surfaces_;
   std::map<Case, std::vector<PairKey>> overridden_;
   std::map<std::size_t, std::set<SurfaceIndex>> both_sides_, nodes_;  // by interaction
+  std::map<int, SurfacePair> weighted_;                               // by line, the first pair of each
 };
 
 }  // namespace contactsim

@@ -96,6 +96,7 @@ class PairMaker {
 
  private:
   SurfacePair pair_of(std::size_t index) const;
+  void settle(const Meeting& meeting, SurfacePair& pair);
   /// Notes what a settled pair is not that its interaction asks for.
   void note_what_differs(std::size_t index, const Meeting& meeting, const SurfacePair& settled);
 
@@ -120,6 +121,19 @@ PairMaker::PairMaker(const ContactDefinition& contact, const ContactSurfaces& su
   if (contact.interaction_defaults) defaults_ = with_defaults(contact.interaction_defaults->pair, defaults_);
 }
 
+/// In load steps faces press each other at the nodes of the finer side, by weighted gaps, whatever the
+/// formulation: the forces of nodes that meet faces one by one jump as they go from face to face, so that no
+/// equilibrium is found. Ties do not go anywhere.
+void PairMaker::settle(const Meeting& meeting, SurfacePair& pair) {
+  const InterfaceLawRow& law = row_of(*pair.law);
+  const bool is_weighted = contact_.enforcement.is_static &&
+                           pair.formulation == ConstraintFormulation::node_face && !law.holds_at_start &&
+                           law.select == nullptr;
+  if (is_weighted) pair.formulation = ConstraintFormulation::face_face;
+  meetings_.settle(meeting, pair);
+  if (is_weighted && pair.formulation == ConstraintFormulation::face_face) warnings_.note_weighted(pair);
+}
+
 void PairMaker::add_defaults(const InteractionDefaults& defaults) {
   std::vector<SurfaceIndex> members = meetings_.positions_of(defaults.surfaces);
   if (defaults.surfaces.empty()) {
@@ -134,7 +148,7 @@ void PairMaker::add_defaults(const InteractionDefaults& defaults) {
     pair.interaction = a == b ? "self contact" : "general contact";
     SurfacePair own = pair;
     if (a == b) close_no_gaps(own);
-    meetings_.settle(meeting, own);
+    settle(meeting, own);
     layers_[{meeting.first, meeting.second}].add(std::move(own), std::nullopt);
   };
   for (std::size_t i = 0; i < members.size(); ++i) {
@@ -185,7 +199,7 @@ void PairMaker::add_interaction(std::size_t index) {
       if (moves_nodes) closes_itself = true;
       close_no_gaps(own);
     }
-    meetings_.settle(meeting, own);
+    settle(meeting, own);
     note_what_differs(index, meeting, own);
     layers_[key].add(std::move(own), index);
   }

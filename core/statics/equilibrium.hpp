@@ -33,8 +33,6 @@ class Equilibrium {
   }
   /// Whether forces come and go with small motions, as those of contact do: the rough part.
   virtual bool is_rough() const { return false; }
-  /// Whether the rough part has a derivative where it was evaluated last, which steps near balance may use.
-  virtual bool is_differentiable() const { return true; }
   /// Has the rough part push as it did in the last evaluation, whatever moves from now on; or lets it follow.
   virtual void hold_rough(bool /*does*/) {}
   /// Has friction of the rough part slide at the forces that what presses in the last evaluation gives,

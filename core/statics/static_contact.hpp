@@ -82,9 +82,6 @@ class StaticContact {
   /// Sets the forces of contact after a motion from the start of the step. Throws SolveError.
   ///   forces, moments  [3 x n_nodes] [force] [force length]; the latter null where no node turns
   virtual void try_forces(const Motion& motion, Eigen::Matrix3Xd& forces, Eigen::Matrix3Xd* moments) = 0;
-  /// Whether the forces of the last trial have a derivative: not where the area before a node jumps as it
-  /// goes from face to face.
-  virtual bool is_differentiable() const = 0;
   /// Has weighted nodes of faces that the last trial presses slide at the limits which that gives, whatever
   /// presses them in the trials that follow, or lets the limits follow what presses. Returns whether any are
   /// held.

@@ -82,7 +82,6 @@ class StaticProblem final : public Equilibrium {
   Eigen::VectorXd scales(Eigen::Index /*size*/) const override { return weights_.cwiseSqrt(); }
   double probe_factor(const Eigen::VectorXd& direction) const override;
   bool is_rough() const override { return contact_ != nullptr; }
-  bool is_differentiable() const override { return contact_ == nullptr || contact_->is_differentiable(); }
   void hold_rough(bool does) override { holds_contact_ = does; }
   bool hold_slip_limits(bool does) override {
     return contact_ != nullptr && contact_->hold_slip_limits(does);

@@ -3,9 +3,7 @@
 # small motion holds.
 #
 # Shows contact pressure that varies over curved surfaces. Expected: Lame's pressure between the rings and the cos 2a part after
-# Michell, within 2 %, also at every node. With NODE_FACE flat faces that match hold each other, so that rings do not slide
-# freely: the cos 2a part is 14 % too small, the worst node is off by 3.2 %; with SMOOTHING it finds no equilibrium with 24 on
-# 32 elements.
+# Michell, within 2 %, also at every node.
 #
 # number  elements round
 #

@@ -61,9 +61,8 @@ struct WeightedNode {
   /// At which it presses, > 0 where it does [length].
   double depth() const { return multiplier - gap; }
   bool has_friction() const { return pressure > 0.0 && bearing > 0.0 && rule->friction > 0.0; }
-  /// Of the tangential spring [force/length^3]: a tenth of the penalty, which in load steps is ten times that
-  /// of explicit dynamics. What sticks holds as well, and takes a third of Newton's steps.
-  double slip_stiffness() const { return 0.1 * penalty.stiffness; }
+  /// Of the tangential spring [force/length^3].
+  double slip_stiffness() const { return static_slip_share * penalty.stiffness; }
 };
 
 /// The pressure of faces on faces in load steps. It is linear between the nodes of the finer side of a pair;

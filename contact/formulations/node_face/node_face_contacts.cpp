@@ -31,6 +31,13 @@ bool has_corner(const ContactFace& face, std::uint32_t node) {
   return std::find(face.corners.begin(), face.corners.end(), node) != face.corners.end();
 }
 
+/// By what presses, or by the pressure that is held in trials of load steps.
+double slip_limit(const ContactStepContext& context, const PairRule& rule, ContactPoint point) {
+  if (context.slip_pressures != nullptr)
+    point.force = point.area * context.slip_pressures->of(point.pair, point.row(), point.force / point.area);
+  return rule.slip_limit(point, context.dt);
+}
+
 }  // namespace
 
 void NodeFaceContacts::detect(const ContactStepContext& context, CandidateRows rows,
@@ -60,7 +67,8 @@ void NodeFaceContacts::detect_one(const ContactStepContext& context, SurfaceNode
     }
     if (!point.is_met() || !(rule.friction > 0.0) || point.is_balanced) continue;
     point.elastic_slip = node_history.elastic_slip(point.normal);
-    add_friction(near_face.penalty.stiffness * point.area, rule.slip_limit(point, context.dt), point);
+    const double share = context.is_static ? static_slip_share : 1.0;
+    add_friction(share * near_face.penalty.stiffness * point.area, slip_limit(context, rule, point), point);
   }
 }
 
@@ -123,6 +131,7 @@ void NodeFaceContacts::add_near_face(const ContactStepContext& context, SurfaceN
   }
   near_face.point.gap -= offset;
   near_face.penalty = make_pair_penalty(node.penalty_properties, &face.penalty_properties, rule);
+  if (context.is_static) near_face.penalty.law = {};  // multipliers press what is deep
   const bool is_known = node_history.knows(near_face.point.normal);
   near_face.penalty.depth =
       is_known ? any_depth : std::max(near_face.penalty.depth, 1.5 * closed) + std::max(offset, 0.0);

@@ -10,6 +10,7 @@
 #include "support/deck_dump.hpp"
 
 using namespace contactsim;
+using Catch::Matchers::Contains;
 using namespace contactsim::test;
 
 namespace {
@@ -30,16 +31,17 @@ std::string describe(const ContactSurfaces& surfaces, const SurfacePair& pair) {
 
 /// Pairs of five surfaces, made in lines 1 to 5: bricks a, b, c, nodes n, m. `planes` adds two analytic
 /// surfaces, floor and wall, in lines 6 and 7.
-Paired pair_up(const std::string& lines, const std::string& planes = "") {
+Paired pair_up(const std::string& lines, const std::string& planes = "", bool is_static = false) {
   MeshBuilder b;
   for (const int id : {1, 2, 3}) b.add_hexes({.id = id, .origin = {3.0 * id, 0, 0}});
   b.add_node_set(1, "", {0, 1}).add_node_set(2, "", {2, 3});
   const Region region = parse_region(planes);
-  const ContactDefinition contact = parse_contact(
+  ContactDefinition contact = parse_contact(
       "contact surface a contains block_1\ncontact surface b contains block_2\n"
       "contact surface c contains block_3\ncontact node set n contains nodelist_1\n"
       "contact node set m contains nodelist_2\n" +
       lines);
+  contact.enforcement.is_static = is_static;
   Diagnostics diagnostics;
   const ContactSurfaces surfaces =
       resolve_surfaces(contact, {region.analytic_planes, {}}, b.build(), diagnostics);
@@ -433,4 +435,19 @@ TEST_CASE("tolerances of an automatic search are not taken", "[contact][pairs]")
   const Paired paired =
       pair_up("begin search options\n normal tolerance = 1\nend\nbegin interaction\n surfaces = a b\nend\n");
   CHECK_FALSE(paired.pairs.at(0).normal_tolerance);
+}
+
+TEST_CASE("in load steps faces meet faces, nodes alone as nodes, and ties as the deck says",
+          "[contact][pairs]") {
+  const std::string lines =
+      "begin interaction rub\n side a = c\n side b = a n\n constraint formulation = node_face\nend\n"
+      "begin interaction tie\n surfaces = a b\n friction model = tied\n constraint formulation = "
+      "node_face\nend\n";
+  const Paired paired = pair_up(lines, "", true);
+  CHECK(paired.text ==
+        "a b tied node_face (tie)\n"
+        "a c frictionless face_face (rub)\n"
+        "c n frictionless node_face one-sided (rub)\n");
+  CHECK_THAT(paired.messages, Contains("'rub' asks for NODE_FACE; in load steps") &&
+                                  Contains("[node-face-weighted]") && !Contains("'tie'"));
 }
