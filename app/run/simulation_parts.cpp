@@ -121,14 +121,9 @@ void Simulation::Parts::warn_of_new_contact() {
   const ContactForce* earlier = setup.transfer ? std::as_const(*input.earlier).contact_force() : nullptr;
   if (earlier == nullptr) return;
   takes_over_contact = contact && setup.transfer->is_whole() && contact->force().is_like(*earlier);
-  const auto is_elastic = [](const SurfacePair& pair) {
-    return pair.enforcement == Enforcement::penalty && row_of(*pair.law).holding == ContactLaw::sliding;
-  };
-  const bool begins_elastic =
-      takes_over_contact && !setup.load_schedule && std::ranges::any_of(contact->model().pairs, is_elastic);
-  const auto warn = [&](std::string text, std::string hint = "") {
+  const auto warn = [&](std::string text) {
     diagnostics.add_warning("contact-begins-anew", input.procedure.transfers.front().name.location,
-                            std::move(text), std::move(hint));
+                            std::move(text));
   };
   if (!contact) {
     warn("contact of the procedure before is over: this one has none");
@@ -136,12 +131,28 @@ void Simulation::Parts::warn_of_new_contact() {
     warn(
         "contact begins anew in what touches: it has other surfaces or pairs than in the procedure before, "
         "or not all blocks are taken over, so that nothing holds or presses as it did there");
-  } else if (begins_elastic) {
-    warn(
-        "contact by ENFORCEMENT = PENALTY begins anew: it presses by its overlaps alone, which multipliers "
-        "of load steps have closed",
-        "ENFORCEMENT = MOMENTUM_BALANCE begins with the forces of the procedure before");
   }
+}
+
+/// Warns of contact of load steps that explicit contact does not press with by itself.
+void Simulation::Parts::warn_of_preload() {
+  constexpr double told = 0.01;
+  const PreloadForces& preload = contact->force().preload_forces();
+  if (!(preload.share_of_before() > told)) return;
+  const auto is_elastic = [](const SurfacePair& pair) {
+    return pair.enforcement == Enforcement::penalty && row_of(*pair.law).holding == ContactLaw::sliding;
+  };
+  const bool has_elastic = std::ranges::any_of(contact->model().pairs, is_elastic);
+  diagnostics.add_warning(
+      "contact-held", input.procedure.transfers.front().name.location,
+      fmt::format(
+          "{:.1f} % of the contact forces of the procedure before are not those of contact here; they "
+          "are held and let go evenly until t = {:.6g}, the end of the first time stepping block",
+          100.0 * preload.share_of_before(), preload.ends()),
+      has_elastic
+          ? "ENFORCEMENT = PENALTY presses by its overlaps alone, which multipliers of load steps have "
+            "closed; ENFORCEMENT = MOMENTUM_BALANCE begins with the forces of the procedure before"
+          : "a time stepping block of its own says how long that takes");
 }
 
 /// Refuses contact that holds what is near at the start where what has held it is not taken over.
@@ -167,7 +178,7 @@ void Simulation::Parts::take_over() {
   // Not where deaths have left other surfaces.
   if (takes_over_contact && contact->force().is_like(*input.earlier->contact_force()))
     return contact->force().take_over(*input.earlier->contact_force(), motion_of(input.earlier->state(), 0.0),
-                                      motion_of(state));
+                                      motion_of(state), setup.control.end_of_period(state.time));
   overlaps = find_start_overlaps(contact->model(), input.mesh.with_coordinates(state.coordinates),
                                  *input.region.contact);
   input.overlaps = overlaps;
@@ -192,6 +203,7 @@ void Simulation::Parts::start_anew() {
     Energies& energies = state.energies;
     energies.start += energies.error - energies.contact;
     energies.error = energies.contact = 0.0;
+    warn_of_preload();
   }
   if (contact) contact->warn_of_start(diagnostics);
   // The step of rigid bodies alone is a proposal; contact makes its stiffness after it.

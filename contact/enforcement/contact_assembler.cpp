@@ -69,6 +69,12 @@ void ContactAssembler::add_forces(const ContactPoint& point) {
   add_moment(point.second, point.second.radius * point.normal, -force);
 }
 
+void ContactAssembler::add_node(std::uint32_t node, const Eigen::Vector3d& force,
+                                const Eigen::Vector3d& moment) {
+  nodes_[node].head<3>() += force;
+  if (has_moments_) moments_[node] += moment;
+}
+
 void ContactAssembler::add(const ContactPoint& point) {
   add_forces(point);
   const Eigen::Vector3d force = point.force_on_first();

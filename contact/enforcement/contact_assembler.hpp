@@ -62,6 +62,8 @@ class ContactAssembler {
   void add(const ContactPoint& point);
   /// Adds the forces of a point at nodes, and to no pair.
   void add_forces(const ContactPoint& point);
+  /// Adds a force and a moment about it at a node, and to no pair.
+  void add_node(std::uint32_t node, const Eigen::Vector3d& force, const Eigen::Vector3d& moment);
   /// Takes note that the overlap at a contact point of the step comes in by a ramp.
   ///   depth  of all of it [length]
   void note_ramp(const ContactPoint& point, double depth) {

@@ -18,8 +18,9 @@ constexpr double gap_recovery = 0.2, fastest_recovery = 2e-4, slip_recovery = 0.
 /// more would throw apart what folds hold in.
 constexpr double max_recovery = 0.1;
 
-/// What load steps have pressed just touches as it is, up to this gap or depth over the thickness: their gaps
-/// are closed in the mean of a node's surroundings, and not at every point. What is farther is beside it.
+/// What load steps have pressed just touches as it is, up to this gap over the thickness: their gaps are
+/// closed in the mean of a node's surroundings, and not at every point of facets that do not fit. What is
+/// wider open is beside it.
 constexpr double pressed_gap = 1e-3;
 
 /// How far a point may penetrate at the end of a step [length].
@@ -83,6 +84,16 @@ void ContactConstraints::take_over(const ContactPoint& contact_point, const Cont
   row.force = node_vector(force);
 }
 
+/// Behind load steps a point just touches as it is: what they have pressed, and what penetrates somewhere
+/// though the mean around its nodes does not.
+///   known  of what they have pressed
+void ContactConstraints::begin_where_it_is(const ContactPoint& contact_point, double thickness,
+                                           std::optional<ContactHistory::Entry>& known) {
+  if (contact_point.gap > pressed_gap * thickness) known.reset();
+  if (!known && contact_point.gap < 0.0) known.emplace();
+  if (known) known->zero_gap = contact_point.gap;
+}
+
 void ContactConstraints::add(const ContactPoint& contact_point, const PairRule& rule, double thickness) {
   const bool is_constraint = contact_point.is_balanced && contact_point.area > 0.0;
   const bool is_of_last = is_constraint && is_of_last_group(contact_point);
@@ -102,8 +113,7 @@ void ContactConstraints::add(const ContactPoint& contact_point, const PairRule& 
   Row row;
   row.point = static_cast<std::uint32_t>(points_.size() - 1);
   std::optional<ContactHistory::Entry> known = recall(contact_point);
-  if (known && std::isnan(known->zero_gap))
-    known->zero_gap = std::abs(contact_point.gap) <= pressed_gap * thickness ? contact_point.gap : 0.0;
+  if (begins_pressed_) begin_where_it_is(contact_point, thickness, known);
   ContactPoint measured = contact_point;
   if (known) measured.gap -= known->zero_gap;
   row.zero_gap = known ? known->zero_gap : 0.0;
@@ -263,8 +273,14 @@ double ContactConstraints::lost_before(const Eigen::Vector3d& force, const Conta
 }
 
 void ContactConstraints::finish(const Row& row, double force, const NodeVector& change, ContactLoss& loss) {
-  if (!(row.pulls ? force != 0.0 : force > 0.0)) return;
   ContactPoint& point = points_[row.point];
+  if (!(row.pulls ? force != 0.0 : force > 0.0)) {
+    ContactHistory::Entry entry;
+    entry.area = point.area;
+    entry.zero_gap = row.zero_gap;
+    if (row.zero_gap < 0.0) history_.remember(point, entry);
+    return;
+  }
   const Eigen::Vector3d before = dt_before_ * relative_velocity(point, true), changed = change.head<3>();
   const double impact_before = lost_before(force * point.normal, point, before, changed),
                impact_after = 0.5 * force * (point.closing - point.normal.dot(changed));

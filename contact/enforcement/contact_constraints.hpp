@@ -56,6 +56,8 @@ class ContactConstraints {
 
   /// The points in the order of add(), with force, friction, slip and what is lost.
   std::span<const ContactPoint> points() const { return points_; }
+  /// The same with the forces that the passes begin with.
+  std::vector<ContactPoint> begun_points() const;
   /// Hands over the points, for others in exchange.
   void swap_points(std::vector<ContactPoint>& points) { points_.swap(points); }
   ContactHistory& memory() { return history_; }
@@ -104,6 +106,8 @@ class ContactConstraints {
   bool is_of_last_group(const ContactPoint& contact_point) const;
   void add_friction(const ContactPoint& contact_point, const PairRule& rule, Row& row);
   std::optional<ContactHistory::Entry> recall(const ContactPoint& contact_point);
+  static void begin_where_it_is(const ContactPoint& contact_point, double thickness,
+                                std::optional<ContactHistory::Entry>& known);
   void take_over(const ContactPoint& contact_point, const ContactHistory::Entry& known, double allowed,
                  Row& row);
   double area_of(const Row& row) const { return points_[row.point].area; }

@@ -26,4 +26,16 @@ void ContactConstraints::begin_pressed(std::span<const ContactPoint> points) {
   history_.end();
 }
 
+std::vector<ContactPoint> ContactConstraints::begun_points() const {
+  std::vector<ContactPoint> points = points_;
+  for (const Row& row : rows_) {
+    ContactPoint& point = points[row.point];
+    const Eigen::Vector3d force = row.force.head<3>();
+    const double pressing = force.dot(point.normal);
+    point.force += pressing;
+    point.tangential += force - pressing * point.normal;
+  }
+  return points;
+}
+
 }  // namespace contactsim

@@ -111,7 +111,7 @@ void ContactDetection::find_constraints(const ContactStepContext& context, bool 
 
 void ContactDetection::detect_constraints(const ContactStepContext& context, ConstrainedPairs& constrained,
                                           std::vector<ConstraintForces>& found) {
-  if (!context.is_static) decaying_.step(context, found);
+  if (!context.is_static && !context.is_trial) decaying_.step(context, found);
   for_each_of_constraints(formulations_, [&](auto& formulation) {
     const std::size_t n_before = found.size();
     formulation.detect(context, found);

@@ -182,6 +182,9 @@ ForceReport ContactForce::set_forces(const Motion& motion, Eigen::Matrix3Xd& for
           : ContactStepContext{kinematics_, rules_, constrained_, motion.dt, motion.stable_step, &depths_};
   if (setup_.is_static()) detection_.weigh_gaps(context, weighted_gaps_);
   add_penalty_points(context);
+  if (preload_ && !balances_) begin_preload_forces(context, motion.time);
+  const double let_go = preload_forces_.work(kinematics_, motion.time, motion.dt);
+  preload_forces_.add_to(assembler_, motion.time);
   write_forces(assembler_, offset_moments_, forces);
   if (is_first) {
     set_start_depths(points_, contact_mesh_);
@@ -189,7 +192,8 @@ ForceReport ContactForce::set_forces(const Motion& motion, Eigen::Matrix3Xd& for
     histories_.begin(assembler_);
   }
   ForceReport report;
-  if (!balances_) report.supplied_work = end_step(motion.time, motion.dt);
+  report.supplied_work = let_go;
+  if (!balances_) report.supplied_work += end_step(motion.time, motion.dt);
   report.friction_work = assembler_.dissipated();
   report.contact_damping_work = assembler_.damped();
   if (!setup_.is_static()) limit_step(motion, report);
@@ -248,6 +252,12 @@ std::optional<ForceReport> ContactForce::balance(const State& state, Eigen::Matr
     balance_.add(point, rules_.of(point), thinner_side(point));
   });
   detection_.visit_balanced(context, [&](Tie& tie) { balance_.add(tie); });
+  if (preload_) {
+    begin_preload_forces(context, state.time);
+    for (const PreloadForces::Entry& held : preload_forces_.entries())
+      balance_.push(held.node, held.force, held.moment);
+    preload_forces_.add_to(assembler_, state.time);
+  }
   balance_report_ = balance_.solve(static_cast<int>(setup_.definition.enforcement.balance_iterations));
   for (const ContactPoint& point : balance_.points()) add_to_sums(point);
   add_constraints(context, to_glue);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -14,6 +15,7 @@
 #include "contact/enforcement/momentum_balance.hpp"
 #include "contact/enforcement/offset_moments.hpp"
 #include "contact/enforcement/pair_histories.hpp"
+#include "contact/enforcement/preload_forces.hpp"
 #include "contact/formulations/penetration_depths.hpp"
 #include "core/elements/force_term.hpp"
 #include "core/statics/static_contact.hpp"
@@ -65,7 +67,10 @@ class ContactForce final : public ForceTerm, public StaticContact {
   /// is_like(earlier).
   ///   ended   motion at the end of the procedure before, where nothing moves any more (dt 0)
   ///   motion  of the start
-  void take_over(ContactForce& earlier, const Motion& ended, const Motion& motion);
+  ///   until   explicit contact lets go by then what it does not press with by itself: PreloadForces [time]
+  void take_over(ContactForce& earlier, const Motion& ended, const Motion& motion, double until);
+  /// Of explicit contact after the first forces.
+  const PreloadForces& preload_forces() const { return preload_forces_; }
 
   /// Goes over to the surfaces that the setup's contact has now, after deaths of elements. What contact
   /// remembers of faces and nodes that are still there stays: touch, slip, ties, sums. What held a side that
@@ -138,6 +143,8 @@ class ContactForce final : public ForceTerm, public StaticContact {
   void move_to_trial(const Motion& motion);
   ContactStepContext static_context(double dt, bool is_trial) const;
   void hold_slips();
+  std::vector<ContactPoint> as_own_points(std::span<const ContactPoint> before) const;
+  void begin_preload_forces(const ContactStepContext& context, double time);
   IndexedVector<PairIndex, SurfaceIndex> find_finer_surfaces() const;
   LoftSpins make_spins() const;
   double largest_eigenvalue();
@@ -178,11 +185,14 @@ class ContactForce final : public ForceTerm, public StaticContact {
   std::vector<ConstraintForces> constraint_forces_;    // of the step
   IndexedVector<SurfaceIndex, double> surface_rates_;  // scratch
   PairHistories histories_;
-  ContactMultipliers multipliers_;       // of load steps
-  HeldSlips held_slips_;                 // of the last load step
-  WeightedGaps weighted_gaps_;           // of the last trial of a load step
-  ContactStabilization stabilization_;   // of load steps
-  std::unique_ptr<ContactTrial> trial_;  // null before the first load step
+  ContactMultipliers multipliers_;           // of load steps
+  HeldSlips held_slips_;                     // of the last load step
+  WeightedGaps weighted_gaps_;               // of the last trial of a load step
+  ContactStabilization stabilization_;       // of load steps
+  std::unique_ptr<ContactTrial> trial_;      // null before the first load step
+  std::optional<ContactAssembler> preload_;  // at the end of load steps before, until the first forces
+  double preload_until_ = 0.0;               // is let go [time]
+  PreloadForces preload_forces_;
   ContactStep step_share_;
   double stored_at_start_ = 0.0;
   double pull_eigenvalue_ = 0.0;  // of laws that pull where momentum is balanced, in the last step [1/time^2]

@@ -1,21 +1,86 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <algorithm>
+#include <map>
 
 #include "contact/enforcement/contact_force.hpp"
 #include "core/base/digest.hpp"
 #include "core/base/state_archive.hpp"
+#include "core/interface_laws/interface_law_table.hpp"
 
 namespace contactsim {
 
 namespace {
 
+/// But for the formulation: NODE_FACE of load steps has no nodes that meet faces one by one.
 bool are_like(const SurfacePair& a, const SurfacePair& b) {
-  return a.first == b.first && a.second == b.second && a.is_one_sided == b.is_one_sided &&
-         a.formulation == b.formulation && a.behavior == b.behavior && a.separates == b.separates &&
-         a.gap == b.gap && a.law->type == b.law->type;
+  return std::minmax(a.first, a.second) == std::minmax(b.first, b.second) && a.behavior == b.behavior &&
+         a.separates == b.separates && a.gap == b.gap && a.law->type == b.law->type &&
+         (!row_of(*a.law).holds_at_start || a.formulation == b.formulation);
 }
 
 }  // namespace
+
+namespace {
+
+/// What the points of faces around a surface node press it with.
+struct NodeForce {
+  double area = 0.0;                                 // [length^2]
+  Eigen::Vector3d force = Eigen::Vector3d::Zero();   // [force]
+  Eigen::Vector3d normal = Eigen::Vector3d::Zero();  // towards it, of any length
+};
+
+/// One side of a contact point of faces.
+struct FaceSide {
+  const ContactPointSide& side;
+  FaceIndex face, other;
+  double sign;  // of what it feels, as the first side does
+};
+
+}  // namespace
+
+/// The contact points of load steps before as this contact has them: NODE_FACE by nodes of both sides, each
+/// with the pressure around it against every face that it has met.
+std::vector<ContactPoint> ContactForce::as_own_points(std::span<const ContactPoint> before) const {
+  std::vector<ContactPoint> points;
+  std::map<SurfaceNodeIndex, NodeForce> of_rows;
+  std::map<std::pair<SurfaceNodeIndex, FaceIndex>, ContactPoint> met;
+  const auto add = [&](const ContactPoint& point, const FaceSide& at) {
+    for (std::size_t k = 0; k < 4; ++k) {
+      const double weight = at.side.weights[static_cast<Eigen::Index>(k)];
+      const auto row = contact_mesh_.find_row(at.side.nodes[k], contact_mesh_.faces[at.face].surface);
+      if (!row || !(weight > 0.0)) continue;
+      NodeForce& of_row = of_rows[*row];
+      of_row.area += weight * point.area;
+      of_row.force += at.sign * weight * point.force_on_first();
+      of_row.normal += at.sign * weight * point.area * point.normal;
+      ContactPoint& of_face = met[{*row, at.other}];
+      of_face.pair = point.pair;
+      of_face.first_entity = row->value;
+      of_face.second_entity = at.other.value;
+      of_face.first.nodes.fill(at.side.nodes[k]);
+      of_face.second.weights = Eigen::Vector4d::UnitX();
+      of_face.area += weight * point.area;
+    }
+  };
+  for (const ContactPoint& point : before) {
+    const bool is_of_faces = !point.first.is_node() && !point.is_of_edges;
+    if (!is_of_faces || setup_.contact.pairs[point.pair].formulation == ConstraintFormulation::face_face) {
+      points.push_back(point);
+      continue;
+    }
+    add(point, {point.first, point.first_face(), point.second_face(), 1.0});
+    add(point, {point.second, point.second_face(), point.first_face(), -1.0});
+  }
+  for (auto& [key, point] : met) {
+    const NodeForce& of_row = of_rows[key.first];
+    const Eigen::Vector3d force = point.area / of_row.area * of_row.force;
+    point.normal = of_row.normal.normalized();
+    point.force = force.dot(point.normal);
+    point.tangential = force - point.force * point.normal;
+    points.push_back(point);
+  }
+  return points;
+}
 
 bool ContactForce::is_like(const ContactForce& earlier) const {
   const SurfacePairs &pairs = setup_.contact.pairs, &others = earlier.setup_.contact.pairs;
@@ -27,13 +92,15 @@ bool ContactForce::is_like(const ContactForce& earlier) const {
          surfaces_digest() == earlier.surfaces_digest();
 }
 
-void ContactForce::take_over(ContactForce& earlier, const Motion& ended, const Motion& motion) {
+void ContactForce::take_over(ContactForce& earlier, const Motion& ended, const Motion& motion, double until) {
   if (!setup_.is_static()) {
     // Found anew: where that procedure went on from its last state alone there are none.
     Eigen::Matrix3Xd forces = Eigen::Matrix3Xd::Zero(3, ended.coordinates.cols());
     earlier.begin_trials(ended);
     earlier.try_forces(ended, forces, nullptr);
-    balance_.begin_pressed(earlier.trial_->points);
+    balance_.begin_pressed(as_own_points(earlier.trial_->points));
+    preload_ = earlier.trial_->assembler;
+    preload_until_ = until;
     kinematics_.set_offsets(earlier.kinematics_.offsets());
     constrained_ = earlier.constrained_;
     return detection_.begin_with_ties(earlier.ties());
@@ -43,6 +110,24 @@ void ContactForce::take_over(ContactForce& earlier, const Motion& ended, const M
   const SavedState memory = saves.take();
   StateArchive restores(memory);
   archive(motion, restores);
+}
+
+/// Holds what contact pressed with before and does not by itself.
+///   context  of pairs whose momentum is balanced, where there are any: their points have been added
+void ContactForce::begin_preload_forces(const ContactStepContext& context, double time) {
+  ContactAssembler now(contact_mesh_.n_nodes(), setup_.contact.pairs.size(), false,
+                       !assembler_.moments().empty());
+  for (const ContactPoint& point : points_) now.add_forces(point);
+  std::vector<ConstraintForces> held = constraint_forces_;
+  if (context.balances) {
+    for (const ContactPoint& point : balance_.begun_points()) now.add_forces(point);
+    ContactStepContext trial = context;
+    trial.is_trial = true;
+    detection_.detect_constraints(trial, constrained_, held);
+  }
+  for (const ConstraintForces& one : held) now.add(one.constraint, one.forces);
+  preload_forces_.begin(*preload_, now, time, preload_until_);
+  preload_.reset();
 }
 
 std::uint64_t ContactForce::surfaces_digest() const {
@@ -83,6 +168,7 @@ void ContactForce::archive(const Motion& motion, StateArchive& saved) {
   balance_.archive(saved);
   saved.numbers("contact/impact_loss", last_loss_.friction_after, last_loss_.impact_after);
   histories_.archive(saved);
+  preload_forces_.archive(saved);
   multipliers_.archive("contact/multipliers", saved);
   held_slips_.archive("contact/held_slips", saved);
   stabilization_.archive(contact_mesh_.n_nodes(), saved);

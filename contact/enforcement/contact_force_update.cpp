@@ -165,6 +165,7 @@ void ContactForce::remap(const ContactRemap& remap) {
   detection_.remap(remap);
   multipliers_.remap(remap);
   held_slips_.remap(remap);
+  preload_forces_.clear();
   stabilization_.forget_forces();
   trial_.reset();
   histories_.add_released(detection_.released_faces(), detection_.released_nodes(), contact_mesh_);

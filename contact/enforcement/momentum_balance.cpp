@@ -33,6 +33,15 @@ void MomentumBalance::begin(const Model& model, const ModelFreeDirections& free,
   loss_ = {};
 }
 
+void MomentumBalance::push(std::uint32_t node, const Eigen::Vector3d& force, const Eigen::Vector3d& moment) {
+  terms_.clear();
+  mobility_.add_terms(node, 1.0, Eigen::Vector3d::Zero(), terms_);
+  for (const CarrierTerm& term : terms_) {
+    const Eigen::Vector3d share = term.weight * force;
+    mobility_.push(term.carrier, share, term.arm.cross(share) + term.weight * moment);
+  }
+}
+
 /// By sums of rows: with the areas a > 0 of the points, |A| a <= D a bounds the eigenvalues of D^-1 A by 1
 /// (Collatz and Wielandt). Where nodes are free, D is the lumped mass per area on both sides in series.
 void MomentumBalance::set_softness() {

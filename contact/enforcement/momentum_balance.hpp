@@ -50,6 +50,10 @@ class MomentumBalance {
   }
   /// Adds the points of a tie, which must outlive the step.
   void add(Tie& tie) { ties_.add(tie); }
+  /// Adds a force at a contact node, and a moment about it, that act besides.
+  void push(std::uint32_t node, const Eigen::Vector3d& force, const Eigen::Vector3d& moment);
+  /// The points in the order of add() with the forces that the passes begin with.
+  std::vector<ContactPoint> begun_points() const { return contacts_.begun_points(); }
   /// Finds the forces.
   BalanceReport solve(int max_iterations);
   /// The points in the order of add(), with force, friction, slip and what is lost.
@@ -81,6 +85,7 @@ class MomentumBalance {
   ContactConstraints contacts_{mobility_};
   LeaningAreas areas_;              // scratch
   std::vector<CarrierLoad> loads_;  // scratch
+  std::vector<CarrierTerm> terms_;  // scratch
   LightCarriers light_;
   std::vector<double> momenta_;  // of the passes of the first half
   ContactLoss loss_;

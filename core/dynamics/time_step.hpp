@@ -66,6 +66,12 @@ class TimeStepControl {
   /// Position of the period that a time belongs to; each one begins at its start.
   std::size_t period_at(double time) const;
 
+  /// When that ends: at the start of the next one, or at the termination time [time].
+  double end_of_period(double time) const {
+    const std::size_t next = period_at(time) + 1;
+    return next < periods_.size() ? periods_[next].start : termination_time_;
+  }
+
   /// From now on shortens steps such that one of them ends at each time of the target.
   void add_target(StepTarget target) { targets_.push_back(std::move(target)); }
 
