@@ -63,6 +63,15 @@ void check_criteria(const ElementDeath& death, Diagnostics& diagnostics) {
                         "CRITERION IS ..., or DEATH ON INVERSION = ON");
 }
 
+/// Of blocks that could not be made, which is told already.
+void leave_out_unmade(const Model& model, std::vector<ElementIndex>& elements) {
+  std::erase_if(elements, [&](ElementIndex element) {
+    return std::ranges::none_of(model.blocks, [&](const ModelBlock& block) {
+      return element >= block.first_element && element.value - block.first_element.value < block.n_elements;
+    });
+  });
+}
+
 void leave_out_rigid(const ElementDeath& death, const ConditionScope& scope, const Model& model,
                      std::vector<ElementIndex>& elements) {
   const std::size_t n = std::erase_if(elements, [&](ElementIndex element) {
@@ -94,6 +103,7 @@ std::vector<std::vector<ElementIndex>> find_death_sets(const ConditionScope& sco
   for (const ElementDeath& death : scope.region.element_deaths) {
     check_criteria(death, scope.diagnostics);
     sets.push_back(find_elements(with_materials(death, scope), label_of(death), scope));
+    leave_out_unmade(model, sets.back());
     leave_out_rigid(death, scope, model, sets.back());
     if (death.on_inversion) mark_inverting(sets.back(), model);
   }

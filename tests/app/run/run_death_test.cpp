@@ -170,3 +170,22 @@ TEST_CASE("a run goes on when all its elements are dead", "[app][transient][deat
   CHECK(code == 0);
   CHECK_THAT(out, Contains("33 elements of 33 that may die are dead"));
 }
+
+TEST_CASE("a bad material of elements that may die is an error", "[app][transient][death]") {
+  const std::string criterion =
+      GENERATE(as<std::string>(), by_strain, "block = bar\nmaterial criterion = on\n",
+               "block = bar\ndeath on inversion = on\n");
+  const HitBar bar(criterion);
+  std::string deck = bar.read("a.i");
+  const std::string elastic =
+                        "begin parameters for model elastic\nyoungs modulus = 100\npoissons ratio = 0.3\n",
+                    chosen = "model = elastic\n";
+  deck.replace(deck.find(elastic), elastic.size(),
+               "begin parameters for model johnson_cook\nyoungs modulus = 100\npoissons ratio = 0.3\n"
+               "yield stress = 1\nhardening constant = 1\nhardening exponent = 0.5\nd1 = -0.5\n");
+  deck.replace(deck.find(chosen), chosen.size(), "model = johnson_cook\n");
+  bar.write("a.i", deck);
+  const auto [code, out, err] = bar.run({"a.i"});
+  CHECK(code == 2);
+  CHECK_THAT(err, Contains("d1 + d2") && Contains("2 errors"));
+}
