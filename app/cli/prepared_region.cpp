@@ -20,16 +20,8 @@ namespace contactsim {
 
 namespace {
 
-/// The mesh that the deck names must outlive the run as well.
-void check_mesh_is_kept(const Options& options, const std::string& mesh_path) {
-  const RunFile mesh{mesh_path, "the mesh"};
-  const std::string clash = find_file_clash({&mesh, 1}, files_written(options));
-  if (!clash.empty()) throw FileError(mesh_path, clash);
-}
-
 std::shared_ptr<Mesh> read_and_log_mesh(const DeckWay& way, const Region& region) {
   const std::string path = run_mesh_path(way.options, way.definition, region);
-  check_mesh_is_kept(way.options, path);
   if (way.options.summary) way.summary.mesh = {path, digest_of_file(path), std::nullopt, std::nullopt};
   auto mesh = std::make_shared<Mesh>(with_cohesive_blocks(
       way.definition, region, read_run_mesh(way.options, way.definition, region, way.warnings)));

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "app/cli/check_files.hpp"
 #include "app/cli/prepared_region.hpp"
 #include "app/cli/read_run_deck.hpp"
 #include "app/cli/run_mesh.hpp"
@@ -15,6 +16,7 @@
 #include "app/run/procedure_checks.hpp"
 #include "app/run/start_overlap.hpp"
 #include "app/run/stop_on_errors.hpp"
+#include "core/base/errors.hpp"
 #include "core/definition/simulation.hpp"
 
 namespace contactsim {
@@ -78,10 +80,15 @@ void warn_of_hidden_tables(const Options& options, const std::vector<ChosenRegio
 
 ExitCode run_deck(const Options& options, StopSignals& signals, Log& log, Diagnostics& warnings,
                   RunSummary& summary, ReportDraft& draft) {
-  const auto [definition, digest, sources] = read_run_deck(
+  const RunDeck deck = read_run_deck(
       {options.deck, options.definitions, options.is_lenient, options.includes_folder}, warnings);
-  summary.deck_digest = format_digest(digest);
-  draft.deck = sources;
+  const SimulationDefinition& definition = deck.definition;
+  if (const std::string clash = find_clash_of_run(options, deck); !clash.empty()) {
+    log.leave_file();
+    throw FileError(options.deck, clash);
+  }
+  summary.deck_digest = format_digest(deck.digest);
+  draft.deck = deck.sources;
   check_procedures(definition, warnings);
   log.begin(asks_to_resume(definition));
   if (warnings.has_errors()) {

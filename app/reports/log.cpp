@@ -35,7 +35,14 @@ void Log::begin(bool keeps_earlier) {
   held_.clear();
 }
 
+void Log::leave_file() {
+  has_file_ = false;
+  held_.clear();
+  file_.close();
+}
+
 void Log::write_to_file(std::string_view text) {
+  if (!has_file_) return;
   const std::string wrapped = wrap_text(text);
   if (has_begun_) {
     file_ << wrapped << std::flush;
@@ -68,11 +75,11 @@ void Log::write_error(std::string_view line) {
 }
 
 void Log::close() {
-  if (!has_begun_) begin(true);
+  if (has_file_ && !has_begun_) begin(true);
   std::fflush(stdout);
-  file_.close();
+  if (has_file_) file_.close();
   if (std::ferror(stdout) != 0) throw FileError("standard output", "what the run prints cannot be written");
-  if (!file_) throw FileError(path_, "the log file cannot be written");
+  if (has_file_ && !file_) throw FileError(path_, "the log file cannot be written");
 }
 
 }  // namespace contactsim

@@ -22,6 +22,8 @@ class Log {
   /// Until then what goes to the file is held. A file that is there is written over, or kept for a
   /// run that resumes: then what is new follows it. Throws FileError.
   void begin(bool keeps_earlier);
+  /// Leaves the file as it is: what follows is printed alone. Precondition: begin() has not been called.
+  void leave_file();
   void write(std::string_view text);
   /// Goes to the log file alone: what differs from run to run, such as the time of day.
   void write_to_file(std::string_view text);
@@ -41,7 +43,7 @@ class Log {
   std::ofstream file_;
   std::string held_;
   std::vector<std::string> errors_;
-  bool has_begun_ = false;
+  bool has_begun_ = false, has_file_ = true;
   bool is_quiet_ = false;
 };
 

@@ -7,53 +7,23 @@
 #include <string>
 #include <vector>
 
-#include "app/run/contact_debug.hpp"
+#include "app/run/deck_files.hpp"
 #include "app/run/file_clashes.hpp"
 #include "core/definition/simulation.hpp"
-#include "core/output/planned_files.hpp"
 
 namespace contactsim {
 
 namespace {
 
-/// A file that a region writes.
-struct WrittenFile {
-  std::string path;
-  DeckLocation location;
-  bool appends = false;  ///< to what another has written
-};
-
 int length_of(const DeckName& name) { return std::max(1, static_cast<int>(name.text.size())); }
 
-/// The files of a procedure; heartbeats to the log are files of no name.
-std::vector<WrittenFile> files_of(const SimulationDefinition& definition, const Procedure& procedure) {
-  std::vector<WrittenFile> files;
-  const auto add = [&](const DeckName& block, const std::optional<DeckName>& name, const char* other,
-                       bool appends = false) {
-    files.push_back({expand_file_name(definition, name ? name->text : other),
-                     name ? name->location : block.location, appends});
-  };
-  for (const Region& region : procedure.regions) {
-    for (const ResultsOutput& output : region.results_outputs) add(output.name, output.database.name, "%B.e");
-    for (const HistoryOutput& output : region.history_outputs) add(output.name, output.database.name, "%B.h");
-    for (const HeartbeatOutput& output : region.heartbeat_outputs)
-      if (!goes_to_log(output)) add(output.name, output.stream, "%B.csv", output.appends);
-    for (const RestartData& restart : region.restart_data)
-      add(restart.name, restart.output_database ? restart.output_database : restart.database, "%B.rsout");
-    if (!region.contact) continue;
-    for (const std::string& path : contact_debug_files(definition, region.contact->debug).paths())
-      files.push_back({path, region.contact->name.location});
-  }
-  return files;
-}
-
 void check_files(const SimulationDefinition& definition, Diagnostics& diagnostics) {
-  std::vector<WrittenFile> taken;
+  std::vector<DeckFile> taken;
   for (const Procedure& procedure : definition.procedures) {
-    std::vector<WrittenFile> own = files_of(definition, procedure);
-    for (const WrittenFile& file : own) {
+    std::vector<DeckFile> own = find_deck_files(definition, procedure);
+    for (const DeckFile& file : own) {
       if (file.appends) continue;
-      for (const WrittenFile& other : taken) {
+      for (const DeckFile& other : taken) {
         const RunFile there{other.path, ""}, here{file.path, ""};
         if (find_file_clash({&there, 1}, {&here, 1}).empty()) continue;
         diagnostics.add_error(

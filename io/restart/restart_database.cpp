@@ -39,6 +39,10 @@ bool is_later(const StoredState& one, const StoredState& other) {
 
 }  // namespace
 
+bool is_restart_path(const std::string& database, const std::string& path) {
+  return is_of(fs::path(database).lexically_normal().string(), fs::path(path).lexically_normal().string());
+}
+
 std::string run_suffix(std::int64_t run) { return run == 1 ? "" : fmt::format("-s{:04}", run); }
 
 std::string restart_path(const std::string& database, std::int64_t run, std::int64_t slot) {

@@ -19,6 +19,8 @@ std::string run_suffix(std::int64_t run);
 /// The file of a state.
 ///   slot  from 1
 std::string restart_path(const std::string& database, std::int64_t run, std::int64_t slot);
+/// Whether a path is that of a state of a database, in some run and slot.
+bool is_restart_path(const std::string& database, const std::string& path);
 
 /// A state of a database.
 struct StoredState {

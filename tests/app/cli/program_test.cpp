@@ -8,6 +8,7 @@
 
 using Catch::Matchers::Contains;
 using contactsim::test::ProgramDirectory;
+using contactsim::test::ProgramOutput;
 using contactsim::test::TwoBlocks;
 
 namespace {
@@ -176,6 +177,7 @@ TEST_CASE("a file that is read is never overwritten", "[app][program]") {
   const auto [arguments, said] = GENERATE(values<Clash>({
       {{"--log", "two_blocks.i"}, "the log would overwrite the deck, two_blocks.i"},
       {{"two_blocks.g", "--log", "./two_blocks.g"}, "the log would overwrite the mesh, two_blocks.g"},
+      {{"--log", "two_blocks.g"}, "the log would overwrite the mesh, two_blocks.g"},
       {{"--surfaces-json", "two_blocks.i"}, "the file of --surfaces-json would overwrite the deck"},
       {{"--surfaces", "two_blocks.g"}, "the file of --surfaces would overwrite the mesh, two_blocks.g"},
   }));
@@ -195,4 +197,42 @@ TEST_CASE("a deck called like its own log is left alone", "[app][program]") {
   CHECK(code == 2);
   CHECK(err == "error: the log would overwrite the deck, plate.log\n");
   CHECK(directory.read("plate.log") == "contact surface a contains b\n");
+}
+
+TEST_CASE("nothing is written where a file of the run would be lost", "[app][program]") {
+  const TwoBlocks directory;
+  const std::string deck = directory.read("two_blocks.i");
+  directory.write("more.inc", "# nothing\n");
+  const auto run = [&](const std::vector<std::string>& arguments, const std::string& files) {
+    std::string changed = "{include(\"more.inc\")}\n" + deck;
+    const auto at = changed.find('\n', changed.find("begin presto region"));
+    changed.insert(at + 1, files);
+    directory.write("a.i", changed);
+    std::vector<std::string> line{"a.i", "two_blocks.g"};
+    line.insert(line.end(), arguments.begin(), arguments.end());
+    return directory.run(line);
+  };
+  const std::string results = "begin results output\ndatabase name = %\nat step 0 increment = 1\nend\n",
+                    states = "begin restart data\ndatabase name = a.rsout\nat step 0 increment = 1\nend\n";
+  const auto named = [&](const std::string& name) {
+    std::string text = results;
+    return text.replace(text.find('%'), 1, name);
+  };
+  directory.write("old.e", "results of an earlier run");
+  const auto said = [&](const ProgramOutput& of) {
+    CHECK(of.exit_code == 3);
+    return of.err;
+  };
+  CHECK_THAT(said(run({"--log", "more.inc"}, "")),
+             Contains("the log would overwrite a file that the deck includes"));
+  CHECK_THAT(said(run({}, named("more.inc"))),
+             Contains("more.inc would overwrite a file that the deck includes"));
+  CHECK_THAT(said(run({"--surfaces-csv", "old.e"}, named("old.e"))),
+             Contains("the output file old.e would overwrite the file of --surfaces-csv"));
+  CHECK_THAT(said(run({}, states + named("a.rsout.1"))),
+             Contains("would overwrite a restart state of a.rsout"));
+  CHECK_THAT(said(run({"-o", "./a.rsout-s0002.3"}, states)),
+             Contains("the results file would overwrite a restart state"));
+  CHECK(directory.read("more.inc") == "# nothing\n");
+  CHECK(directory.read("old.e") == "results of an earlier run");
 }

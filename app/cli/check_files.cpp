@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "app/cli/check_files.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <vector>
+
+#include "app/cli/run_mesh.hpp"
+#include "app/run/deck_files.hpp"
+#include "app/run/file_clashes.hpp"
+#include "io/restart/restart_database.hpp"
+
+namespace contactsim {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Where an include is: names are relative to the run directory, or to the folder of includes.
+std::string place_of(const Options& options, const SourceFile& source) {
+  std::error_code ignored;
+  if (fs::exists(source.name, ignored) || !options.includes_folder) return source.name;
+  return (fs::path(*options.includes_folder) / source.name).string();
+}
+
+std::vector<RunFile> files_read_by(const Options& options, const RunDeck& deck) {
+  std::vector<RunFile> files = files_read(options);
+  for (const SourceFile& source : deck.sources) {
+    const std::string path = place_of(options, source);
+    if (path != options.deck) files.push_back({path, "a file that the deck includes"});
+  }
+  if (deck.definition.procedures.empty())
+    files.push_back({run_mesh_path(options, deck.definition, Region{}), "the mesh"});
+  for (const Procedure& procedure : deck.definition.procedures) {
+    for (const Region& region : procedure.regions)
+      files.push_back({run_mesh_path(options, deck.definition, region), "the mesh"});
+  }
+  return files;
+}
+
+std::vector<DeckFile> files_of_deck(const Options& options, const SimulationDefinition& definition) {
+  std::vector<DeckFile> files;
+  for (const Procedure& procedure : definition.procedures) {
+    const bool is_last = &procedure == &definition.procedures.back();
+    for (DeckFile& file : find_deck_files(definition, procedure)) {
+      // The command line says another name.
+      if (options.results && is_last && file.kind == DeckFile::Kind::results) continue;
+      files.push_back(std::move(file));
+    }
+  }
+  return files;
+}
+
+}  // namespace
+
+std::string find_clash_of_run(const Options& options, const RunDeck& deck) {
+  std::vector<RunFile> kept = files_read_by(options, deck);
+  const std::vector<RunFile> of_line = files_written(options);
+  std::string clash = find_file_clash(kept, of_line);
+  if (!clash.empty()) return clash;
+  kept.insert(kept.end(), of_line.begin(), of_line.end());
+  std::vector<RunFile> written = of_line;
+  std::vector<std::string> states;
+  for (const DeckFile& file : files_of_deck(options, deck.definition)) {
+    if (file.kind == DeckFile::Kind::states) {
+      states.push_back(file.path);
+      continue;
+    }
+    const RunFile one{file.path, "the output file " + file.path};
+    clash = find_file_clash(kept, {&one, 1});
+    if (!clash.empty()) return clash;
+    written.push_back(one);
+  }
+  for (const RunFile& file : written) {
+    const auto state_of = std::ranges::find_if(
+        states, [&](const std::string& database) { return is_restart_path(database, file.path); });
+    if (state_of != states.end())
+      return fmt::format("{} would overwrite a restart state of {}, {}", file.what, *state_of, file.path);
+  }
+  return "";
+}
+
+}  // namespace contactsim
