@@ -170,8 +170,16 @@ bool ContactSearch::has_first_partners(PairIndex pair) const {
              [&](SurfaceNodeIndex row) { return contact_mesh_.surface_nodes[row].surface; });
 }
 
-void ContactSearch::stop_at(const Motion& motion, std::uint32_t node) const {
+void ContactSearch::stop_at(const ContactKinematics& kinematics, const Motion& motion,
+                            std::uint32_t node) const {
   const NodeIndex index{contact_mesh_.mesh_nodes[node]};
+  // Boxes are of single precision.
+  constexpr double farthest = 1e38;
+  if (motion.dt == 0.0 && !(kinematics.x(node).lpNorm<Eigen::Infinity>() < farthest))
+    throw FileError(mesh_.path(),
+                    fmt::format("contact at node {} is {:.3g} away from the origin, farther than contact "
+                                "searches; its coordinates, or the thickness or radius there, are too large",
+                                mesh_.node_id(index), kinematics.x(node).lpNorm<Eigen::Infinity>()));
   throw SolveError(motion.time, fmt::format("node {} moves without bound", mesh_.node_id(index)));
 }
 
@@ -182,9 +190,10 @@ void ContactSearch::find_face_pairs(const ContactKinematics& kinematics, const M
   };
   if (const auto bad = faces_phase_.update(indices(contact_mesh_.faces), box_of)) {
     for (const std::uint32_t corner : contact_mesh_.faces[*bad].corners) {
-      if (!kinematics.x(corner).allFinite() || !kinematics.v(corner).allFinite()) stop_at(motion, corner);
+      if (!kinematics.x(corner).allFinite() || !kinematics.v(corner).allFinite())
+        stop_at(kinematics, motion, corner);
     }
-    stop_at(motion, contact_mesh_.faces[*bad].corners[0]);
+    stop_at(kinematics, motion, contact_mesh_.faces[*bad].corners[0]);
   }
   if (!has_face_pairs_) return;
   faces_phase_.find_pairs([this](FaceIndex a, FaceIndex b) { return faces_may_meet(a, b); }, partners);
@@ -201,7 +210,7 @@ void ContactSearch::find_node_faces(const ContactKinematics& kinematics, const M
     return node_box(kinematics, row, motion.dt, depth_of(depths, row));
   };
   if (const auto bad = nodes_phase_.update(indices(contact_mesh_.surface_nodes), box_of))
-    stop_at(motion, contact_mesh_.surface_nodes[*bad].node);
+    stop_at(kinematics, motion, contact_mesh_.surface_nodes[*bad].node);
   nodes_phase_.find_pairs(
       faces_phase_, [this](SurfaceNodeIndex row, FaceIndex face) { return node_may_meet(row, face); }, faces);
   if (has_small_sliding_)
@@ -216,7 +225,7 @@ void ContactSearch::find_edge_pairs(const ContactKinematics& kinematics, const M
     return edge_box(kinematics, edge, motion.dt, depth_of(depths, edge));
   };
   if (const auto bad = edges_phase_.update(indices(contact_mesh_.edges), box_of))
-    stop_at(motion, contact_mesh_.edges[*bad].nodes[0]);
+    stop_at(kinematics, motion, contact_mesh_.edges[*bad].nodes[0]);
   edges_phase_.find_pairs([this](EdgeIndex a, EdgeIndex b) { return edges_may_meet(a, b); }, partners);
 }
 

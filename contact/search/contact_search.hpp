@@ -142,7 +142,8 @@ class ContactSearch {
     is_new.resize(n, 0);
     is_new[entity] = 1;
   }
-  [[noreturn]] void stop_at(const Motion& motion, std::uint32_t node) const;
+  [[noreturn]] void stop_at(const ContactKinematics& kinematics, const Motion& motion,
+                            std::uint32_t node) const;
 
   const ContactMesh& contact_mesh_;
   const Mesh& mesh_;

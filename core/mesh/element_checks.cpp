@@ -5,6 +5,8 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <cmath>
+#include <cstdint>
 #include <limits>
 #include <string>
 #include <string_view>
@@ -20,18 +22,20 @@ namespace {
 constexpr std::size_t n_shown = 5;
 constexpr std::size_t max_shape_nodes = 10;  // see Topology::n_shape_nodes
 
+enum class Doubt : std::uint8_t { inverted, flat, boundless };
+
 struct DoubtfulElement {
   ElementIndex element;
-  double volume = 0.0;
-  bool is_flat = false;
+  double size = 0.0;  // volume, or area [length^3] [length^2]
+  Doubt doubt = Doubt::flat;
 };
 
 /// Counts elements and describes the first few.
 class ElementList {
  public:
-  void add(const std::string& block, std::int64_t element_id, double volume) {
-    if (++count_ <= n_shown)
-      text_ += fmt::format("\n  {}: element {}: volume {:g}", block, element_id, volume);
+  ///   size  "volume 0"
+  void add(const std::string& block, std::int64_t element_id, const std::string& size) {
+    if (++count_ <= n_shown) text_ += fmt::format("\n  {}: element {}: {}", block, element_id, size);
   }
   std::size_t count() const { return count_; }
   std::string describe(std::string_view what) const {
@@ -57,7 +61,16 @@ double cone_volume(const FacetCorners& corners, const std::array<Eigen::Vector3d
   return 0.5 * (triple(a, b, c) + triple(a, c, d) + triple(a, b, d) + triple(b, c, d));
 }
 
-// Volumes below this are round-off: coordinates of size `far` carry errors of eps * far each.
+double shell_area(const Eigen::Matrix3Xd& coordinates, std::span<const NodeIndex> nodes,
+                  const Topology& shape) {
+  const auto side = [&](std::size_t from, std::size_t to) -> Eigen::Vector3d {
+    return coordinates.col(nodes[to].value) - coordinates.col(nodes[from].value);
+  };
+  const bool is_triangle = shape.n_corners == 3;
+  return 0.5 * side(0, is_triangle ? 1 : 2).cross(side(is_triangle ? 0 : 1, is_triangle ? 2 : 3)).norm();
+}
+
+// Sizes below this are round-off: coordinates of size `far` carry errors of eps * far each.
 double round_off(const Eigen::Matrix3Xd& coordinates, std::span<const NodeIndex> nodes,
                  const Topology& shape) {
   double far = 0.0, extent = 0.0;
@@ -67,10 +80,16 @@ double round_off(const Eigen::Matrix3Xd& coordinates, std::span<const NodeIndex>
     far = std::max(far, x.lpNorm<Eigen::Infinity>());
     extent = std::max(extent, (x - origin).lpNorm<Eigen::Infinity>());
   }
-  return 8.0 * std::numeric_limits<double>::epsilon() * far * extent * extent;
+  const double across = shape.family == Family::solid ? extent : 1.0;
+  return 8.0 * std::numeric_limits<double>::epsilon() * far * extent * across;
 }
 
-// Elements of a block that are flat or inside out, in order.
+Doubt doubt_of(double size, double noise) {
+  if (!std::isfinite(size) || !std::isfinite(noise)) return Doubt::boundless;
+  return size >= -noise ? Doubt::flat : Doubt::inverted;
+}
+
+// Elements of a block that are flat, inside out or without bounds, in order.
 std::vector<DoubtfulElement> find_doubtful(const Mesh& mesh, const ElementBlock& block) {
   const Topology& shape = topology(block.shape);
   std::vector<DoubtfulElement> found;
@@ -78,12 +97,13 @@ std::vector<DoubtfulElement> find_doubtful(const Mesh& mesh, const ElementBlock&
 #pragma omp parallel for schedule(static) num_threads(threads_for(block.n_elements))
   for (std::int64_t e = 0; e < n; ++e) {
     const auto nodes = block.element_nodes(static_cast<std::uint32_t>(e));
-    const double volume = solid_volume(mesh.coordinates(), nodes, shape);
+    const double size = shape.family == Family::solid ? solid_volume(mesh.coordinates(), nodes, shape)
+                                                      : shell_area(mesh.coordinates(), nodes, shape);
     const double noise = round_off(mesh.coordinates(), nodes, shape);
-    if (volume > noise) continue;
+    if (size > noise && std::isfinite(size)) continue;
     const ElementIndex element{block.first_element.value + static_cast<std::uint32_t>(e)};
 #pragma omp critical(contactsim_doubtful_elements)
-    found.push_back({element, volume, volume >= -noise});
+    found.push_back({element, size, doubt_of(size, noise)});
   }
   std::sort(found.begin(), found.end(), [](auto& a, auto& b) { return a.element < b.element; });
   return found;
@@ -116,22 +136,30 @@ double solid_volume(const Eigen::Matrix3Xd& coordinates, std::span<const NodeInd
 }
 
 void check_elements(const Mesh& mesh, std::span<const std::uint32_t> blocks) {
-  ElementList inverted, flat;
+  ElementList inverted, flat_solids, flat_shells, boundless;
   for (std::uint32_t index : blocks) {
     check_type(mesh, index);
     const ElementBlock& block = mesh.blocks()[index];
-    if (topology(block.shape).family != Family::solid) continue;
+    const Family family = topology(block.shape).family;
+    if (family != Family::solid && family != Family::shell) continue;
     const std::string name = mesh.name({EntityKind::block, index});
     for (const DoubtfulElement& doubtful : find_doubtful(mesh, block)) {
-      (doubtful.is_flat ? flat : inverted).add(name, mesh.element_id(doubtful.element), doubtful.volume);
+      const char* what = family == Family::solid ? "volume" : "area";
+      ElementList& flat = family == Family::solid ? flat_solids : flat_shells;
+      ElementList& list = doubtful.doubt == Doubt::flat       ? flat
+                          : doubtful.doubt == Doubt::inverted ? inverted
+                                                              : boundless;
+      list.add(name, mesh.element_id(doubtful.element), fmt::format("{} {:g}", what, doubtful.size));
     }
   }
   std::string text;
-  if (inverted.count() > 0) text = inverted.describe("inside out");
-  if (flat.count() > 0) {
-    if (!text.empty()) text += '\n';
-    text += flat.describe("without volume");
-  }
+  const auto tell = [&](const ElementList& list, const char* what) {
+    if (list.count() > 0) text += (text.empty() ? "" : "\n") + list.describe(what);
+  };
+  tell(inverted, "inside out");
+  tell(flat_solids, "without volume");
+  tell(flat_shells, "without area");
+  tell(boundless, "so large that their size is no number");
   if (!text.empty()) throw FileError(mesh.path(), text);
 }
 

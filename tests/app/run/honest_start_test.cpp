@@ -119,6 +119,21 @@ TEST_CASE("flat elements end a check and a run with code 3, block and id", "[app
   CHECK_THAT(err, Contains("1 element is without volume:\n  block_2: element 2: volume 0"));
 }
 
+TEST_CASE("shells as thick as no number are refused by node, without contact by block", "[app][program]") {
+  const Mesh mesh = MeshBuilder().add_hexes({.id = 1}).add_shells({.id = 2, .origin = {0, 0, 3}}).build();
+  const auto run = [&](const std::string& of_contact) {
+    const TwoParts sheet(mesh, of_contact, "", "section = s\n",
+                         "begin shell section s\nthickness = 1e200\nend\n");
+    return sheet.run({"a.i", "--check"});
+  };
+  const auto searched = run("skin all blocks = on\n");
+  CHECK(searched.exit_code == 3);
+  CHECK_THAT(searched.err, Contains("farther than contact searches") && Contains("thickness"));
+  const auto apart = run("contact surface a contains block_1\n");
+  CHECK(apart.exit_code == 2);
+  CHECK_THAT(apart.err, Contains("block_2: element 2 is too heavy to move"));
+}
+
 TEST_CASE("what a contact offset has overlap at the start is told, and put in by the start",
           "[app][overlap]") {
   const std::string by_offset =

@@ -10,6 +10,7 @@
 #include "support/mesh_builder.hpp"
 
 using namespace contactsim;
+using Catch::Matchers::Contains;
 using test::MeshBuilder;
 
 namespace {
@@ -147,4 +148,21 @@ TEST_CASE("thin elements far from the origin pass, round-off does not", "[core][
   CHECK(complaints(slab(1e-9)).empty());
   // The coordinates themselves are good to 1e-13.
   CHECK(complaints(slab(1e-13)).find("is without volume") != std::string::npos);
+}
+
+TEST_CASE("shells without area and elements beyond all numbers are refused", "[core][elements]") {
+  const auto sheet = [](double width, double size) {
+    MeshParts parts = MeshBuilder().add_shells({.cells = {2, 1}}).parts();
+    parts.coordinates.row(1) *= width;
+    parts.coordinates *= size;
+    return complaints(Mesh(parts));
+  };
+  CHECK(sheet(1.0, 1.0) == "");
+  CHECK(sheet(1e-9, 1.0) == "");
+  CHECK_THAT(sheet(0.0, 1.0), Contains("2 elements are without area:\n  block_1: element 1: area 0"));
+  CHECK_THAT(sheet(1.0, 1e-200), Contains("2 elements are without area"));
+  CHECK_THAT(sheet(1.0, 1e200), Contains("2 elements are so large that their size is no number"));
+  MeshParts cube = MeshBuilder().add_hexes({}).parts();
+  cube.coordinates *= 1e150;
+  CHECK_THAT(complaints(Mesh(cube)), Contains("1 element is so large"));
 }
