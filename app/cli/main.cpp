@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <fcntl.h>
+#include <unistd.h>
+
 #include <csignal>
 #include <cstdlib>
 
@@ -14,9 +17,19 @@ namespace {
   if (std::getenv("OMP_WAIT_POLICY") == nullptr) setenv("GOMP_SPINCOUNT", "3000", 0);
 }
 
+/// Files of the run would get the numbers of standard streams that are closed, and hold what is printed.
+void open_standard_streams() {
+  int lowest = 0;
+  do {
+    lowest = open("/dev/null", O_RDWR);
+  } while (lowest >= STDIN_FILENO && lowest <= STDERR_FILENO);
+  if (lowest > STDERR_FILENO) close(lowest);
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
+  open_standard_streams();
   // A file that passes the limit of its size is then an error like a full disk, not the end of the process.
   std::signal(SIGXFSZ, SIG_IGN);
   return contactsim::run_program(argc, argv);

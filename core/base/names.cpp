@@ -46,6 +46,9 @@ int edit_distance(std::string_view a, std::string_view b) {
 }
 
 std::optional<std::string> find_nearest(std::string_view word, std::span<const std::string> candidates) {
+  // What is longer is no word that somebody mistyped, and distances take the product of both lengths.
+  constexpr std::size_t longest = 256;
+  if (word.size() > longest) return std::nullopt;
   const std::string folded = fold(word);
   const int limit = std::max(1, static_cast<int>(folded.size()) / 3);
   std::optional<std::string> nearest;

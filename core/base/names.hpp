@@ -27,7 +27,8 @@ std::string fold(std::string_view name);
 /// Source: Damerau, CACM 7 (1964) 171-176 (restricted form, no substring edited twice).
 int edit_distance(std::string_view a, std::string_view b);
 
-/// The candidate nearest to the word, when it is near enough to be what was meant (a third of its length).
+/// The candidate nearest to the word, when it is near enough to be what was meant (a third of its length);
+/// none for words of more than 256 characters.
 /// The first listed wins a tie. Comparison is case-blind.
 std::optional<std::string> find_nearest(std::string_view word, std::span<const std::string> candidates);
 

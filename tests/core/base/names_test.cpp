@@ -33,4 +33,7 @@ TEST_CASE("the nearest name is offered only when it is near", "[core][names]") {
   CHECK(find_nearest("copper", names) == std::nullopt);
   CHECK(suggest("foma", names) == "did you mean 'foam'?");
   CHECK(suggest("xyz", names).empty());
+  // Neither offered nor compared letter by letter, which would take hours.
+  const std::string endless(10'000'000, 'a');
+  CHECK(find_nearest(endless, std::vector<std::string>{endless + "b"}) == std::nullopt);
 }
