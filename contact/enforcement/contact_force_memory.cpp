@@ -18,10 +18,6 @@ bool are_like(const SurfacePair& a, const SurfacePair& b) {
          (!row_of(*a.law).holds_at_start || a.formulation == b.formulation);
 }
 
-}  // namespace
-
-namespace {
-
 /// What the points of faces around a surface node press it with.
 struct NodeForce {
   double area = 0.0;                                 // [length^2]
