@@ -58,22 +58,38 @@ def static_cone(bench):
                   (at(force, 0.8) - at(force, 1.0)) / (0.008 * stiffness), 0.06), *balances([run])]
 
 
-def die_on_slab(n, width=2.3):
-    """Half of the slab, n elements high and wide, and of the die, both from the middle plane y = 0."""
-    radius, half = 3.0, math.radians(30)
+def on_slab(n, cells, size, place, top):
+    """Half of the slab, n elements high and wide, and of a die, both from the middle plane y = 0."""
     mesh = MeshMaker()
     mesh.hexes("slab", (0, 0, -2), (7, 2, 2), (round(7 * n / 2), n, n))
     mesh.new_body()
+    mesh.place = place
+    mesh.hexes("die", (-0.5 * size[0], 0, 0), (*size, 1), cells)
+    mesh.node_set_where("middle", lambda x, y, z: near(y, 0))
+    mesh.node_set_where("bottom", lambda x, y, z: near(z, -2))
+    mesh.node_set_where("top", lambda x, y, z: near(z, top))
+    return mesh
+
+
+def die_on_slab(n, width=2.3):
+    """A segment of a cylinder."""
+    radius, half = 3.0, math.radians(30)
 
     def place(turn, y, share):
         low = radius * (1 - math.cos(turn))
         return 2.25 + radius * math.sin(turn), y, low + share * (1.2 - low)
-    mesh.place = place
-    mesh.hexes("die", (-half, 0, 0), (2 * half, width, 1), (round(1.6 * n), round(0.9 * n * width / 2.3), max(2, n // 2)))
-    mesh.node_set_where("middle", lambda x, y, z: near(y, 0))
-    mesh.node_set_where("bottom", lambda x, y, z: near(z, -2))
-    mesh.node_set_where("top", lambda x, y, z: near(z, 1.2))
-    return mesh
+    cells = (round(1.6 * n), round(0.9 * n * width / 2.3), max(2, n // 2))
+    return on_slab(n, cells, (2 * half, width), place, 1.2)
+
+
+def wedge_on_slab(n, degrees):
+    """A wedge whose flanks rise by so many degrees."""
+    slope = math.tan(math.radians(degrees))
+
+    def place(along, y, share):
+        low = abs(along) * slope
+        return 2.25 + along, y, low + share * (1.6 - low)
+    return on_slab(n, (4, round(0.9 * n), 3), (2 / slope, 2.3), place, 1.6)
 
 
 @case(is_long=True)
@@ -104,4 +120,9 @@ def static_sharp_die(bench):
     checks += [Check("force along z, of steps half as large", mean, np.mean(late[1]), 0.03),
                at_most("force along z, change from face to face", np.ptp(late[0]) / mean, 0.05),
                Check("force along z over the width, of an edge between nodes", mean, np.mean(late[2]) / 1.25, 0.2)]
+    for degrees in (45, 60):
+        wedge, small = (bench.run("static_ironing", wedge_on_slab(4, degrees), steps=steps, way=0) for steps in (10, 20))
+        runs += [wedge, small]
+        checks.append(Check(f"force on a wedge of {degrees} degrees, of steps half as large", wedge["pressed"][-1],
+                            small["pressed"][-1], 0.03))
     return checks + balances(runs, has_friction=True)

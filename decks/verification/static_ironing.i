@@ -6,8 +6,13 @@
 # and smaller steps give the same forces, within 3 %, and the forces change by no more than 3 % as the segment goes on from face to face. A
 # segment narrower than the slab, whose sharp edge runs along a line of nodes, does as well.
 #
+# way  that the segment is drawn by
+#
 # {ifndef(steps)}
 # {steps = 10}
+# {endif}
+# {ifndef(way)}
+# {way = 2}
 # {endif}
 # {frame = 1}
 begin sierra static ironing
@@ -39,7 +44,7 @@ begin sierra static ironing
     begin values
       0 0
       1 0
-      2 2
+      2 {way}
     end
   end
 

@@ -36,11 +36,15 @@ double weight_at(double gap, double thickness) {
 
 /// How much an overlap of faces counts by the cosine of their normals: the less the more they lean, and
 /// nothing where they begin to stand beside each other, so that none comes or goes with a force. The walls of
-/// a sharp corner, which lean away from what it is pressed into, would keep apart what the corner presses.
+/// a sharp corner, which lean away from what it is pressed into, would keep apart what the corner presses;
+/// but the flanks of a wedge are all that it is pressed in by.
 double weight_of_lean(double cosine) {
-  constexpr double upright = -0.8;
-  const double share = std::clamp((max_facing_cosine - cosine) / (max_facing_cosine - upright), 0.0, 1.0);
-  return share * share * (3.0 - 2.0 * share);
+  constexpr double upright = -0.8, beginning = -0.35, least = 0.25;
+  const auto share = [&](double from, double to) {
+    const double part = std::clamp((from - cosine) / (from - to), 0.0, 1.0);
+    return part * part * (3.0 - 2.0 * part);
+  };
+  return least * share(max_facing_cosine, beginning) + (1.0 - least) * share(beginning, upright);
 }
 
 /// An overlap by its mean gap, without a force.
