@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <filesystem>
 #include <vector>
 
 #include "app/cli/run_mesh.hpp"
@@ -16,20 +15,12 @@ namespace contactsim {
 
 namespace {
 
-namespace fs = std::filesystem;
-
-/// Where an include is: names are relative to the run directory, or to the folder of includes.
-std::string place_of(const Options& options, const SourceFile& source) {
-  std::error_code ignored;
-  if (fs::exists(source.name, ignored) || !options.includes_folder) return source.name;
-  return (fs::path(*options.includes_folder) / source.name).string();
-}
-
 std::vector<RunFile> files_read_by(const Options& options, const RunDeck& deck) {
   std::vector<RunFile> files = files_read(options);
   for (const SourceFile& source : deck.sources) {
-    const std::string path = place_of(options, source);
-    if (path != options.deck) files.push_back({path, "a file that the deck includes"});
+    if (source.name == options.deck) continue;
+    files.push_back(
+        {include_path(options.includes_folder, source.name).string(), "a file that the deck includes"});
   }
   if (deck.definition.procedures.empty())
     files.push_back({run_mesh_path(options, deck.definition, Region{}), "the mesh"});

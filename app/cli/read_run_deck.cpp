@@ -30,6 +30,11 @@ std::vector<std::pair<std::string, std::string>> split_definitions(
   return pairs;
 }
 
+std::filesystem::path include_path(const std::optional<std::string>& includes_folder,
+                                   const std::string& name) {
+  return includes_folder ? std::filesystem::path(*includes_folder) / name : std::filesystem::path(name);
+}
+
 RunDeck read_run_deck(const DeckRequest& request, Diagnostics& diagnostics) {
   ParseOptions options;
   options.is_lenient = request.is_lenient;
@@ -47,9 +52,7 @@ RunDeck read_run_deck(const DeckRequest& request, Diagnostics& diagnostics) {
   };
   add(request.path, deck.text);
   const FileReader read_file = [&](const std::string& path) {
-    const TextFile file =
-        read_text_file(request.includes_folder ? std::filesystem::path(*request.includes_folder) / path
-                                               : std::filesystem::path(path));
+    const TextFile file = read_text_file(include_path(request.includes_folder, path));
     add(path, file.text);
     return file;
   };

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <filesystem>
 #include <optional>
 #include <string>
 #include <utility>
@@ -27,6 +28,10 @@ struct RunDeck {
   std::uint64_t digest = 0;              ///< of the bytes of the deck and of all files that it includes
   std::vector<SourceFile> sources = {};  ///< these files, each once
 };
+
+/// Where a file is that the deck includes by this name.
+std::filesystem::path include_path(const std::optional<std::string>& includes_folder,
+                                   const std::string& name);
 
 /// The names and values of "name=value". Throws DeckError for anything else.
 std::vector<std::pair<std::string, std::string>> split_definitions(

@@ -233,6 +233,10 @@ TEST_CASE("nothing is written where a file of the run would be lost", "[app][pro
              Contains("would overwrite a restart state of a.rsout"));
   CHECK_THAT(said(run({"-o", "./a.rsout-s0002.3"}, states)),
              Contains("the results file would overwrite a restart state"));
+  // Of includes that are elsewhere, those are meant.
+  directory.write("apart/more.inc", "# nothing\n");
+  CHECK_THAT(said(run({"--includes-from", "apart"}, named("apart/more.inc"))),
+             Contains("apart/more.inc would overwrite a file that the deck includes"));
   CHECK(directory.read("more.inc") == "# nothing\n");
   CHECK(directory.read("old.e") == "results of an earlier run");
 }
