@@ -275,10 +275,12 @@ double ContactConstraints::lost_before(const Eigen::Vector3d& force, const Conta
 void ContactConstraints::finish(const Row& row, double force, const NodeVector& change, ContactLoss& loss) {
   ContactPoint& point = points_[row.point];
   if (!(row.pulls ? force != 0.0 : force > 0.0)) {
-    ContactHistory::Entry entry;
-    entry.area = point.area;
-    entry.zero_gap = row.zero_gap;
-    if (row.zero_gap < 0.0) history_.remember(point, entry);
+    if (row.zero_gap < 0.0) {
+      ContactHistory::Entry begun;
+      begun.area = point.area;
+      begun.zero_gap = row.zero_gap;
+      history_.remember(point, begun);
+    }
     return;
   }
   const Eigen::Vector3d before = dt_before_ * relative_velocity(point, true), changed = change.head<3>();

@@ -102,15 +102,19 @@ bool is_of_weighted_gaps(const ContactPoint& point) {
 }  // namespace
 
 bool ContactForce::hold_slip_limits(bool does) {
+  if (!does) {
+    trial_->slip_pressures.set({});
+    return false;
+  }
   std::vector<SlipPressures::Entry> pressures;
   std::map<std::pair<PairIndex, SurfaceNodeIndex>, MultiplierSums> nodes;
   for (const ContactPoint& point : trial_->points) {
     const bool has_friction = point.is_of_node_and_face() && rules_.of(point).friction > 0.0;
-    if (does && has_friction && point.force > 0.0) nodes[{point.pair, point.row()}].add(point);
+    if (has_friction && point.force > 0.0) nodes[{point.pair, point.row()}].add(point);
   }
   for (const auto& [key, sum] : nodes) pressures.push_back({key.first, key.second, sum.force / sum.area});
   for (const WeightedNode& node : weighted_gaps_.nodes()) {
-    if (does && node.has_friction()) pressures.push_back({node.pair, node.row, node.pressure});
+    if (node.has_friction()) pressures.push_back({node.pair, node.row, node.pressure});
   }
   trial_->slip_pressures.set(std::move(pressures));
   return !trial_->slip_pressures.empty();

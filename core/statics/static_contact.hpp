@@ -82,9 +82,9 @@ class StaticContact {
   /// Sets the forces of contact after a motion from the start of the step. Throws SolveError.
   ///   forces, moments  [3 x n_nodes] [force] [force length]; the latter null where no node turns
   virtual void try_forces(const Motion& motion, Eigen::Matrix3Xd& forces, Eigen::Matrix3Xd* moments) = 0;
-  /// Has weighted nodes of faces that the last trial presses slide at the limits which that gives, whatever
-  /// presses them in the trials that follow, or lets the limits follow what presses. Returns whether any are
-  /// held.
+  /// Has weighted nodes of faces, and nodes that meet faces, which the last trial presses slide at the limits
+  /// which that gives, whatever presses them in the trials that follow, or lets the limits follow what
+  /// presses. Returns whether any are held.
   virtual bool hold_slip_limits(bool does) = 0;
   /// Calls take(spring) for all that held in the last trial.
   virtual void visit_springs(const std::function<void(const ContactSpring&)>& take) const = 0;
