@@ -76,9 +76,6 @@ void TransferRefusals::refuse_earlier() const {
   if (has_contact && !is_static)
     refuse_here(location, "contact in an explicit procedure before",
                 "the state of contact is not taken over yet");
-  if (!earlier.model().rigid.empty())
-    refuse_here(location, "a rigid body in the procedure before",
-                "a block of an elastic material 1000 times as stiff takes its place");
   if (earlier.deaths() != nullptr && input_.region.element_deaths.empty())
     refuse_here(location, "ELEMENT DEATH in the procedure before alone",
                 "the same block in this region says which elements go on to die");

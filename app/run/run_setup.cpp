@@ -48,15 +48,6 @@ void refuse_inertia(const RunInput& input, const InitialState& initial, Diagnost
                           "an INITIAL CONDITION sets it");
 }
 
-/// Rigid bodies begin where the mesh has them.
-void refuse_moved_bodies(const RunInput& input, const Model& model, Diagnostics& diagnostics) {
-  if (!input.procedure.implicit_by || model.rigid.empty()) return;
-  diagnostics.add_error(input.procedure.transfers.front().name.location,
-                        "a rigid body in a quasi-static procedure is not supported together with a "
-                        "PROCEDURAL TRANSFER",
-                        "a block of an elastic material 1000 times as stiff takes its place");
-}
-
 std::optional<LoadSchedule> find_load_schedule(const RunInput& input, Diagnostics& diagnostics) {
   if (!input.procedure.implicit_by) return std::nullopt;
   return make_load_schedule(input.definition, input.procedure, input.region, diagnostics);
@@ -70,6 +61,25 @@ std::optional<StateTransfer> find_transfer(const RunInput& input, const Conditio
   // What load steps move by in their time is no motion.
   transfer.takes_velocities = earlier.load_steps() == nullptr;
   return transfer;
+}
+
+/// The initial conditions, about axes of what load steps before have moved.
+InitialState find_initial_state(const RunInput& input, const std::optional<StateTransfer>& transfer,
+                                const ConditionScope& scope, const Model& model) {
+  const bool has_moved = transfer && !transfer->takes_velocities;
+  const Mesh moved =
+      has_moved ? input.mesh.with_coordinates(coordinates_at_start(*transfer, input.earlier->state(), model))
+                : Mesh{};
+  const ConditionScope at_start{scope.definition,
+                                scope.region,
+                                scope.time_stepping_blocks,
+                                has_moved ? moved : scope.mesh,
+                                scope.diagnostics,
+                                scope.stored,
+                                scope.rigid};
+  InitialState initial = make_initial_state(at_start, model.blocks);
+  set_rigid_velocities(at_start, model.rigid, initial.velocity);
+  return initial;
 }
 
 }  // namespace
@@ -97,13 +107,11 @@ Setup set_up(const RunInput& input, Diagnostics& diagnostics) {
   set_discrete_steps(model);
   ExternalForce external = make_external_force(scope, model.mass, model.inertia);
   TimeStepControl control = make_time_step_control(input.procedure, input.region);
-  InitialState initial = make_initial_state(scope, model.blocks);
-  set_rigid_velocities(scope, model.rigid, initial.velocity);
+  auto transfer = find_transfer(input, scope, model);
+  InitialState initial = find_initial_state(input, transfer, scope, model);
   auto death_sets = find_death_sets(scope, model);
   refuse_inertia(input, initial, diagnostics);
-  auto transfer = find_transfer(input, scope, model);
   if (input.procedure.implicit_by) make_static(model);
-  if (transfer) refuse_moved_bodies(input, model, diagnostics);
   if (transfer) keep_drilling(*transfer, input.earlier->model(), model);
   return {std::move(model),
           std::move(external),

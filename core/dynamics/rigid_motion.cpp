@@ -169,19 +169,25 @@ void drive_start(const Model& model, State& state) {
 
 }  // namespace
 
+std::vector<RigidBodyState> bodies_of_mesh(const Model& model) {
+  std::vector<RigidBodyState> bodies(model.rigid.bodies.size());
+  for (std::size_t i = 0; i < bodies.size(); ++i) bodies[i].position = model.rigid.bodies[i].centre;
+  return bodies;
+}
+
 void start_rigid_bodies(const Model& model, State& state) {
-  state.rigid.assign(model.rigid.bodies.size(), {});
+  if (state.rigid.empty()) state.rigid = bodies_of_mesh(model);
   for (std::size_t i = 0; i < state.rigid.size(); ++i) {
     const RigidBody& body = model.rigid.bodies[i];
     RigidBodyState& moving = state.rigid[i];
-    moving.position = body.centre;
+    const Eigen::Matrix3Xd arms = arms_of(body, moving.orientation);
     Eigen::Vector3d momentum = Eigen::Vector3d::Zero(), spin = momentum;
     Eigen::Matrix3d second = Eigen::Matrix3d::Zero();
     double mass = 0.0;
     for (std::size_t k = 0; k < body.nodes.size(); ++k) {
       const auto node = static_cast<Eigen::Index>(body.nodes[k].value);
       const double node_mass = model.mass(0, node);
-      const Eigen::Vector3d arm = body.arms.col(static_cast<Eigen::Index>(k)), v = state.velocity.col(node);
+      const Eigen::Vector3d arm = arms.col(static_cast<Eigen::Index>(k)), v = state.velocity.col(node);
       mass += node_mass;
       momentum += node_mass * v;
       spin += node_mass * arm.cross(v);
@@ -190,7 +196,8 @@ void start_rigid_bodies(const Model& model, State& state) {
     const Eigen::Matrix3d inertia = second.trace() * Eigen::Matrix3d::Identity() - second;
     moving.before.velocity = momentum / mass;
     moving.before.turning = inverse_where_it_is(inertia) * spin;
-    moving.before.spin = body.inertia * moving.before.turning;
+    moving.before.spin =
+        inertia_amid(body, moving.orientation, moving.before.turning, 0.0) * moving.before.turning;
     moving.now = moving.before;
     set_velocities(body, moving, state);
   }

@@ -9,8 +9,11 @@
 /// get accelerations that take them where the body goes, so that the nodes' own step moves them.
 namespace contactsim {
 
-/// Puts bodies where the mesh has them, gives them the momentum that their nodes have together, and the nodes
-/// the velocities of their body.
+/// [n_bodies] at rest where the mesh has them.
+std::vector<RigidBodyState> bodies_of_mesh(const Model& model);
+
+/// Puts bodies where the mesh has them unless the state has them elsewhere, gives them the momentum that
+/// their nodes have together, and the nodes the velocities of their body.
 void start_rigid_bodies(const Model& model, State& state);
 
 /// Moves the bodies to the end of the step state.dt, and their nodes exactly to where they belong.

@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "core/conditions/entity_parts.hpp"
+#include "core/dynamics/rigid_motion.hpp"
 #include "core/elements/element_table.hpp"
 #include "core/mesh/mesh_digest.hpp"
 
@@ -34,6 +35,8 @@ std::string find_difference(const ModelBlock& earlier, const ModelBlock& block) 
   if (earlier.element != block.element)
     return fmt::format("has elements {} before and {} now", earlier.element->formulation,
                        block.element->formulation);
+  if (earlier.is_rigid != block.is_rigid)
+    return earlier.is_rigid ? "is rigid before and not now" : "is rigid now and not before";
   if (earlier.material != block.material)
     return fmt::format("is of {} before and of {} now", earlier.material, block.material);
   const bool same_points = earlier.layout.n_points == block.layout.n_points &&
@@ -70,6 +73,58 @@ void copy_values(const ModelBlock& earlier, const ModelBlockState& from, const M
     std::fill(target + head, target + head + static_cast<std::ptrdiff_t>(n_added), Lanes::Zero());
     std::copy(source + head, source + static_cast<std::ptrdiff_t>(from_size),
               target + head + static_cast<std::ptrdiff_t>(n_added));
+  }
+}
+
+/// [n_nodes] which nodes belong to blocks that take over their state.
+std::vector<std::uint8_t> find_taken_nodes(const StateTransfer& transfer, const Model& model) {
+  std::vector<std::uint8_t> is_taken(model.mesh->n_nodes(), 0);
+  for (std::size_t i = 0; i < model.blocks.size(); ++i) {
+    if (!transfer.sources[i]) continue;
+    for (const std::uint32_t node : model.blocks[i].chunk_nodes) is_taken[node] = 1;
+  }
+  return is_taken;
+}
+
+/// Finds the bodies of the other model that go on as bodies of this one: those of the same nodes.
+void find_bodies(const ConditionScope& scope, const DeckLocation& location, const Model& earlier,
+                 const Model& model, StateTransfer& transfer) {
+  const std::vector<std::uint8_t> is_taken = find_taken_nodes(transfer, model);
+  const auto is_node_taken = [&](NodeIndex node) { return is_taken[node.value] != 0; };
+  const std::vector<RigidBody>& others = earlier.rigid.bodies;
+  transfer.bodies.resize(model.rigid.bodies.size());
+  for (std::size_t i = 0; i < transfer.bodies.size(); ++i) {
+    const RigidBody& body = model.rigid.bodies[i];
+    if (std::ranges::none_of(body.nodes, is_node_taken)) continue;
+    const auto refuse = [&](const char* why) {
+      scope.diagnostics.add_error(
+          location, fmt::format("the rigid body '{}' cannot take over its state: {}", body.name, why));
+    };
+    const auto source = std::ranges::find(others, body.nodes, &RigidBody::nodes);
+    if (source == others.end()) {
+      refuse("no rigid body of the procedure before has the same nodes");
+    } else if (!std::ranges::all_of(body.nodes, is_node_taken)) {
+      refuse("some of its nodes belong to blocks that the transfer does not name");
+    } else {
+      transfer.bodies[i] = static_cast<std::size_t>(source - others.begin());
+    }
+  }
+}
+
+/// Puts bodies where those of the other model are; their nodes say how they move.
+void take_over_bodies(const StateTransfer& transfer, const Model& earlier, const State& from,
+                      const Model& model, State& state) {
+  state.rigid = bodies_of_mesh(model);
+  for (std::size_t i = 0; i < transfer.bodies.size(); ++i) {
+    if (!transfer.bodies[i]) continue;
+    const RigidBodyState& source = from.rigid[*transfer.bodies[i]];
+    // The centre of mass is another where one of the decks gives a mass.
+    const Eigen::Vector3d shift =
+        model.rigid.bodies[i].centre - earlier.rigid.bodies[*transfer.bodies[i]].centre;
+    RigidBodyState& target = state.rigid[i];
+    target.position = source.position + source.orientation * shift;
+    target.orientation = source.orientation;
+    target.angle = source.angle;
   }
 }
 
@@ -120,7 +175,14 @@ StateTransfer find_state_transfer(const ConditionScope& scope, std::span<const P
     }
     transfer.sources[i] = static_cast<std::size_t>(source - earlier.blocks.begin());
   }
+  find_bodies(scope, location, earlier, model, transfer);
   return transfer;
+}
+
+Eigen::Matrix3Xd coordinates_at_start(const StateTransfer& transfer, const State& from, const Model& model) {
+  Eigen::Matrix3Xd coordinates = model.mesh->coordinates();
+  copy_columns(find_taken_nodes(transfer, model), from.coordinates, coordinates);
+  return coordinates;
 }
 
 void keep_drilling(const StateTransfer& transfer, const Model& earlier, Model& model) {
@@ -136,7 +198,7 @@ void keep_drilling(const StateTransfer& transfer, const Model& earlier, Model& m
 
 void take_over(const StateTransfer& transfer, const Model& earlier, const State& from, const Model& model,
                State& state) {
-  std::vector<std::uint8_t> is_taken(model.mesh->n_nodes(), 0);
+  const std::vector<std::uint8_t> is_taken = find_taken_nodes(transfer, model);
   for (std::size_t i = 0; i < model.blocks.size(); ++i) {
     if (!transfer.sources[i]) continue;
     const ModelBlock& block = model.blocks[i];
@@ -145,8 +207,8 @@ void take_over(const StateTransfer& transfer, const Model& earlier, const State&
     copy_values(earlier.blocks[*transfer.sources[i]], source, block, target);
     if (!source.life.empty()) target.life = source.life;
     target.hourglass_work = source.hourglass_work;
-    for (const std::uint32_t node : block.chunk_nodes) is_taken[node] = 1;
   }
+  if (!model.rigid.empty()) take_over_bodies(transfer, earlier, from, model, state);
   state.death.dying = from.death.dying;
   copy_columns(is_taken, from.coordinates, state.coordinates);
   if (state.rotations.exist() && from.rotations.exist())

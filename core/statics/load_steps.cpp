@@ -53,6 +53,8 @@ LoadSteps::LoadSteps(const Model& model, ForceTerms terms, StaticContact* contac
 }
 
 void LoadSteps::start(bool takes_over) {
+  state_.velocity.setZero();
+  state_.rotations.velocity.setZero();
   if (!model_.rigid.empty()) start_rigid_bodies(model_, state_);
   const Motion motion = motion_of(state_, 0.0);
   terms_.internal.set_forces(motion, state_.forces.internal);
@@ -70,7 +72,6 @@ void LoadSteps::start(bool takes_over) {
   problem_.hold_lifeless(find_lifeless());
   problem_.begin();
   if (takes_over) problem_.let_go_until(schedule_.end_of_period(state_.time));
-  state_.velocity.setZero();
   state_.acceleration.setZero();
   state_.next_dt = schedule_.step_at(state_.time);
   state_.first_dt = state_.next_dt;

@@ -109,3 +109,30 @@ TEST_CASE("energies go on where all blocks do, and their error begins anew", "[c
   CHECK(state.energies.kinetic == 0.0);
   CHECK(state.energies.start == -3.0);
 }
+
+TEST_CASE("rigid bodies go on from where they are, about the centre of mass of now",
+          "[core][transfer][rigid]") {
+  const Sheets sheets;
+  Model earlier = sheets.make(0.0), model = sheets.make(0.0);
+  RigidBody body;
+  body.mass = 1.0;
+  for (std::uint32_t i = 0; i < sheets.mesh.n_nodes(); ++i) body.nodes.push_back(NodeIndex{i});
+  body.arms = sheets.mesh.coordinates();
+  earlier.rigid.bodies = {body};
+  body.centre = {0.0, 0.0, 2.0};
+  model.rigid.bodies = {body};
+  State from = make_numbered(earlier);
+  RigidBodyState moved;
+  moved.position = {1.0, 2.0, 3.0};
+  moved.orientation = turn_by({0.5 * EIGEN_PI, 0.0, 0.0});
+  moved.angle = {0.5 * EIGEN_PI, 0.0, 0.0};
+  from.rigid = {moved};
+  State state = make_state(sheets.mesh.coordinates(), model.blocks, 0.0);
+  take_over({{0, 1}, true, {0}}, earlier, from, model, state);
+  REQUIRE(state.rigid.size() == 1);
+  CHECK(state.rigid[0].position.isApprox(Eigen::Vector3d(1.0, 0.0, 3.0)));
+  CHECK(state.rigid[0].orientation.isApprox(moved.orientation));
+  CHECK(state.rigid[0].angle == moved.angle);
+  take_over({{0, 1}, true, {std::nullopt}}, earlier, from, model, state);
+  CHECK(state.rigid[0].position == body.centre);
+}
