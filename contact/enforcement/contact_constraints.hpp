@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstdint>
+#include <map>
 #include <span>
 #include <utility>
 #include <vector>
@@ -56,7 +57,10 @@ class ContactConstraints {
 
   /// The points in the order of add(), with force, friction, slip and what is lost.
   std::span<const ContactPoint> points() const { return points_; }
-  /// The same with the forces that the passes begin with.
+  /// Spreads what has pressed in load steps before, once all points are added, over those of each two faces,
+  /// and over all nodes of a pair: a part of these may have borne it.
+  void spread_pressed();
+  /// The points in the order of add() with the forces that the passes begin with.
   std::vector<ContactPoint> begun_points() const;
   /// Hands over the points, for others in exchange.
   void swap_points(std::vector<ContactPoint>& points) { points_.swap(points); }
@@ -105,6 +109,7 @@ class ContactConstraints {
   }
   bool is_of_last_group(const ContactPoint& contact_point) const;
   void add_friction(const ContactPoint& contact_point, const PairRule& rule, Row& row);
+  void spread_over_faces();
   std::optional<ContactHistory::Entry> recall(const ContactPoint& contact_point);
   static void begin_where_it_is(const ContactPoint& contact_point, double thickness,
                                 std::optional<ContactHistory::Entry>& known);
@@ -136,7 +141,8 @@ class ContactConstraints {
   std::vector<std::pair<const Group*, std::uint32_t>> light_points_;  // with rows, of light carriers
   std::vector<Grip> grips_;
   ContactHistory history_;
-  bool begins_pressed_ = false;  // the history is that of load steps
+  bool begins_pressed_ = false;                   // the history is that of load steps
+  std::map<PairIndex, double> pressed_by_nodes_;  // what they pressed [force]
 };
 
 }  // namespace contactsim

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // What momentum balance knows of contact points from the step before, or from load steps.
+#include <algorithm>
 #include <limits>
 
 #include "contact/enforcement/contact_constraints.hpp"
@@ -22,8 +23,40 @@ void ContactConstraints::begin_pressed(std::span<const ContactPoint> points) {
     entry.area = point.area;
     entry.zero_gap = std::numeric_limits<double>::quiet_NaN();
     history_.remember(point, entry);
+    if (point.first.is_node()) pressed_by_nodes_[point.pair] += point.force;
   }
   history_.end();
+}
+
+void ContactConstraints::spread_pressed() {
+  spread_over_faces();
+  std::map<PairIndex, double> forces;
+  for (const Row& row : rows_) {
+    const ContactPoint& point = points_[row.point];
+    if (point.first.is_node()) forces[point.pair] += row.force.head<3>().dot(point.normal);
+  }
+  for (Row& row : rows_) {
+    const ContactPoint& point = points_[row.point];
+    if (point.first.is_node() && forces[point.pair] > 0.0)
+      row.force *= pressed_by_nodes_[point.pair] / forces[point.pair];
+  }
+  pressed_by_nodes_.clear();
+}
+
+void ContactConstraints::spread_over_faces() {
+  const auto are_alike = [this](const Row& a, const Row& b) {
+    const ContactPoint &one = points_[a.point], &other = points_[b.point];
+    return one.first_entity == other.first_entity && one.second_entity == other.second_entity;
+  };
+  for (auto begin = rows_.begin(), end = begin; begin != rows_.end(); begin = end) {
+    const ContactPoint& point = points_[begin->point];
+    double force = 0.0;
+    for (; end != rows_.end() && are_alike(*begin, *end); ++end)
+      force += end->force.head<3>().dot(points_[end->point].normal);
+    if (point.first.is_node() || point.is_of_edges || !(force > 0.0)) continue;
+    const double share = history_.force_between(point) / force;
+    std::for_each(begin, end, [share](Row& row) { row.force *= share; });
+  }
 }
 
 std::vector<ContactPoint> ContactConstraints::begun_points() const {

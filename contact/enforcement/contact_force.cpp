@@ -253,6 +253,7 @@ std::optional<ForceReport> ContactForce::balance(const State& state, Eigen::Matr
   });
   detection_.visit_balanced(context, [&](Tie& tie) { balance_.add(tie); });
   if (preload_) {
+    balance_.spread_pressed();
     begin_preload_forces(context, state.time);
     for (const PreloadForces::Entry& held : preload_forces_.entries())
       balance_.push(held.node, held.force, held.moment);

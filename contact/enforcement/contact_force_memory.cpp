@@ -35,7 +35,7 @@ struct FaceSide {
 }  // namespace
 
 /// The contact points of load steps before as this contact has them: NODE_FACE by nodes of both sides, each
-/// with the pressure around it against every face that it has met.
+/// with the pressure around it against every face that it has met, for half of the force.
 std::vector<ContactPoint> ContactForce::as_own_points(std::span<const ContactPoint> before) const {
   std::vector<ContactPoint> points;
   std::map<SurfaceNodeIndex, NodeForce> of_rows;
@@ -69,6 +69,7 @@ std::vector<ContactPoint> ContactForce::as_own_points(std::span<const ContactPoi
   }
   for (auto& [key, point] : met) {
     const NodeForce& of_row = of_rows[key.first];
+    point.area *= 0.5;
     const Eigen::Vector3d force = point.area / of_row.area * of_row.force;
     point.normal = of_row.normal.normalized();
     point.force = force.dot(point.normal);

@@ -57,6 +57,18 @@ bool ContactHistory::find_mean(const IsWanted& is_wanted, Entry& found) const {
   return true;
 }
 
+double ContactHistory::force_between(const ContactPoint& point) const {
+  PointId id = id_of(point);
+  id.part = 0;
+  double force = 0.0;
+  for (auto known = std::ranges::lower_bound(entries_, id.key(), {}, &PointId::key);
+       known != entries_.end() && known->kind == id.kind && known->first == id.first &&
+       known->second == id.second;
+       ++known)
+    force += known->pressure * known->area;
+  return force;
+}
+
 void ContactHistory::remember(const ContactPoint& point, const Entry& entry) {
   entries_.push_back({id_of(point), entry});
 }

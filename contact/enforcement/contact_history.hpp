@@ -31,6 +31,9 @@ class ContactHistory {
   /// false when nothing is known.
   bool recall(const ContactPoint& point, Entry& found);
 
+  /// The normal force of all that is known between the two entities of a point [force].
+  double force_between(const ContactPoint& point) const;
+
   /// Forgets all, and remembers the points that follow.
   void begin() { entries_.clear(); }
   void remember(const ContactPoint& point, const Entry& entry);

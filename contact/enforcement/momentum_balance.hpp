@@ -52,6 +52,8 @@ class MomentumBalance {
   void add(Tie& tie) { ties_.add(tie); }
   /// Adds a force at a contact node, and a moment about it, that act besides.
   void push(std::uint32_t node, const Eigen::Vector3d& force, const Eigen::Vector3d& moment);
+  /// To be called when all points are added, behind load steps: ContactConstraints::spread_pressed().
+  void spread_pressed() { contacts_.spread_pressed(); }
   /// The points in the order of add() with the forces that the passes begin with.
   std::vector<ContactPoint> begun_points() const { return contacts_.begun_points(); }
   /// Finds the forces.
