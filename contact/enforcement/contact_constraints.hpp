@@ -57,8 +57,8 @@ class ContactConstraints {
 
   /// The points in the order of add(), with force, friction, slip and what is lost.
   std::span<const ContactPoint> points() const { return points_; }
-  /// Spreads what has pressed in load steps before, once all points are added, over those of each two faces,
-  /// and over all nodes of a pair: a part of these may have borne it.
+  /// Has each two faces, and all nodes of a pair, press with no more than in load steps before, once all
+  /// points are added: a part of them may have borne it.
   void spread_pressed();
   /// The points in the order of add() with the forces that the passes begin with.
   std::vector<ContactPoint> begun_points() const;

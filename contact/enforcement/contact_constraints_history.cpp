@@ -38,7 +38,7 @@ void ContactConstraints::spread_pressed() {
   for (Row& row : rows_) {
     const ContactPoint& point = points_[row.point];
     if (point.first.is_node() && forces[point.pair] > 0.0)
-      row.force *= pressed_by_nodes_[point.pair] / forces[point.pair];
+      row.force *= std::min(1.0, pressed_by_nodes_[point.pair] / forces[point.pair]);
   }
   pressed_by_nodes_.clear();
 }
@@ -54,7 +54,7 @@ void ContactConstraints::spread_over_faces() {
     for (; end != rows_.end() && are_alike(*begin, *end); ++end)
       force += end->force.head<3>().dot(points_[end->point].normal);
     if (point.first.is_node() || point.is_of_edges || !(force > 0.0)) continue;
-    const double share = history_.force_between(point) / force;
+    const double share = std::min(1.0, history_.force_between(point) / force);
     std::for_each(begin, end, [share](Row& row) { row.force *= share; });
   }
 }
