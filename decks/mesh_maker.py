@@ -89,6 +89,14 @@ class MeshMaker:
         rows = [(0, 1, 3, 4), (1, 2, 3, 6), (1, 4, 5, 6), (3, 4, 6, 7), (1, 3, 4, 6)]
         return self._add(name, "TETRA4", [[corners[i] for i in row] for row in rows])
 
+    def cone(self, name, tip, height, radius, n):
+        """A cone of n flat sides that stands on its tip, of TETRA4 cells around its axis."""
+        x, y, z = tip
+        ring = [self.node(x + radius * np.cos(2 * np.pi * i / n), y + radius * np.sin(2 * np.pi * i / n), z + height)
+                for i in range(n)]
+        axis = [self.node(*tip), self.node(x, y, z + height)]
+        return self._add(name, "TETRA4", [[axis[0], ring[i], ring[(i + 1) % n], axis[1]] for i in range(n)])
+
     def joint(self, name, lower, upper):
         """A HEX8 cell without thickness between the top of one cell and the bottom of another, given by their nodes."""
         return self._add(name, "HEX8", [[*lower[4:], *upper[:4]]])

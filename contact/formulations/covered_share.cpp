@@ -56,7 +56,7 @@ double covered_share(const ContactKinematics& kinematics, const SurfaceNode& nod
     const ContactFace& mine = contact_mesh.faces[own];
     if (mine.surface != node.surface) continue;
     const Eigen::Vector3d area = kinematics.area(mine);
-    if (!(area.dot(normal) < max_facing_cosine * area.norm())) continue;
+    if (!(area.dot(normal) < facing_limit(mine.sharpness) * area.norm())) continue;
     const std::size_t n = mine.is_triangle() ? 3 : 4;
     Eigen::Vector3d centre = Eigen::Vector3d::Zero();
     for (std::size_t k = 0; k < n; ++k) centre += kinematics.x(mine.corners[k]) / static_cast<double>(n);

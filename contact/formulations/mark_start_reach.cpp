@@ -94,7 +94,8 @@ FaceCorners ReachMarker::corners(const ContactFace& face) const {
 
 bool ReachMarker::are_opposed(const ContactFace& a, const ContactFace& b) const {
   const Eigen::Vector3d area_a = start_.area(a), area_b = start_.area(b);
-  return area_a.dot(area_b) < max_facing_cosine * area_a.norm() * area_b.norm();
+  const double facing = facing_limit(std::max(a.sharpness, b.sharpness));
+  return area_a.dot(area_b) < facing * area_a.norm() * area_b.norm();
 }
 
 /// 0 of faces that overlap by no more than the thinner element behind them [length].

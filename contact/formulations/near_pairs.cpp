@@ -45,7 +45,7 @@ bool is_facing(const ContactKinematics& kinematics, const SurfaceNode& node, con
   for (const FaceIndex own : contact_mesh.faces_of_node.of(node.node)) {
     if (contact_mesh.faces[own].surface != node.surface) continue;
     const Eigen::Vector3d area = kinematics.area(contact_mesh.faces[own]);
-    if (area.dot(normal) < max_facing_cosine * area.norm()) return true;
+    if (area.dot(normal) < facing_limit(contact_mesh.faces[own].sharpness) * area.norm()) return true;
     has_faces = true;
   }
   return !has_faces;

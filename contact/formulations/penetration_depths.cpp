@@ -28,7 +28,8 @@ void PenetrationDepths::note(const ContactKinematics& kinematics, const ContactP
   const SurfaceNode& node = contact_mesh.surface_nodes[point.row()];
   for (const FaceIndex own : contact_mesh.faces_of_node.of(node.node)) {
     if (contact_mesh.faces[own].surface != node.surface) continue;
-    if (kinematics.bound(own).normal().cast<double>().dot(point.normal) < max_facing_cosine) deepen(own);
+    const double facing = facing_limit(contact_mesh.faces[own].sharpness);
+    if (kinematics.bound(own).normal().cast<double>().dot(point.normal) < facing) deepen(own);
   }
 }
 

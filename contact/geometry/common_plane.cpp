@@ -27,7 +27,8 @@ std::optional<CommonPlane> make_common_plane(const FaceCorners& first, const Fac
                                              const FaceOrientation& look_2) {
   const double size_1 = look_1.area.norm(), size_2 = look_2.area.norm();
   const double opposed = -look_1.area.dot(look_2.area), size = size_1 * size_2;
-  if (!(opposed > -max_facing_cosine * size)) return std::nullopt;
+  const double facing = facing_limit(std::max(look_1.sharpness, look_2.sharpness));
+  if (!(opposed > -facing * size)) return std::nullopt;
   const auto shares = shares_of_normals(opposed / size, look_1.sharpness, look_2.sharpness);
   CommonPlane plane;
   plane.normal = (shares[1] * size_1 * look_2.area - shares[0] * size_2 * look_1.area).normalized();

@@ -11,12 +11,20 @@ namespace contactsim {
 /// Faces whose normals have a greater cosine than this stand beside each other, such as those round a convex
 /// corner, and not opposite.
 inline constexpr double max_facing_cosine = -0.3;
+/// The same of blades and spikes, no face of which faces what they point at by more: of faces whose sharpness
+/// is greater than this [degrees].
+inline constexpr double max_facing_cosine_of_blade = -0.05, blade_sharpness = 145.0;
+
+/// The cosine of two normals up to which a face of such a sharpness faces another.
+inline double facing_limit(double sharpness) {
+  return sharpness > blade_sharpness ? max_facing_cosine_of_blade : max_facing_cosine;
+}
 
 /// Which way a face looks, and what is around it.
 struct FaceOrientation {
   Eigen::Vector3d area;  ///< vector of any length, out of the element
-  double sharpness =
-      0.0;  ///< the angle that the surface turns by at the sharpest of the face's edges [degrees]
+  /// The angle that the surface turns by at the sharpest of the face's edges, or at a spike [degrees].
+  double sharpness = 0.0;
 };
 
 /// Two faces that face each other, seen along the normal of a plane between them.

@@ -13,7 +13,7 @@ namespace {
 /// Share of lengths that single precision may lose: what it says must not be no where double precision says
 /// yes.
 constexpr float rounding = 2e-6f;
-constexpr float max_facing_cosine_rounded = static_cast<float>(max_facing_cosine) + rounding;
+constexpr float max_facing_cosine_rounded = static_cast<float>(max_facing_cosine_of_blade) + rounding;
 
 /// How far a parallelogram reaches along a direction, from the products of its halves with it.
 float reach_along(float half_1, float half_2) { return std::abs(half_1) + std::abs(half_2); }

@@ -6,6 +6,7 @@
 #include <numbers>
 #include <tuple>
 
+#include "contact/geometry/common_plane.hpp"
 #include "contact/surfaces/surface_options.hpp"
 #include "core/base/threads.hpp"
 
@@ -34,6 +35,10 @@ constexpr double strip = 0.25;
 
 /// Of the angle that a surface turns by at its border.
 constexpr double cosine_of_border = 0.0;
+
+/// Of the angles that a surface turns by where it is flat for certain, 5 degrees, and at blades.
+constexpr double flat_cosine = 0.996;
+const double blade_cosine = std::cos(blade_sharpness * std::numbers::pi / 180.0);
 
 /// An edge of a face, whichever way it runs.
 struct FaceEdge {
@@ -148,6 +153,39 @@ void choose_feature_edges(const std::vector<SurfaceOptions>& options, const Surf
   }
 }
 
+namespace {
+
+/// The mean normal of a surface at a node, of the faces by their angles there [1]. Source: Thuermer and
+/// Wuethrich, Journal of Graphics Tools 3 (1998) 43.
+Eigen::Vector3d mean_normal(const ContactKinematics& start, const IndexedVector<FaceIndex, StartFace>& faces,
+                            std::uint32_t node, SurfaceIndex surface) {
+  const ContactMesh& contact_mesh = start.contact_mesh();
+  Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+  for (const FaceIndex i : contact_mesh.faces_of_node.of(node)) {
+    const ContactFace& face = contact_mesh.faces[i];
+    if (face.surface != surface) continue;
+    const std::size_t n = face.is_triangle() ? 3 : 4;
+    const auto k = static_cast<std::size_t>(std::ranges::find(face.corners, node) - face.corners.begin());
+    const Eigen::Vector3d x = start.x(node), before = start.x(face.corners[(k + n - 1) % n]) - x,
+                          behind = start.x(face.corners[(k + 1) % n]) - x;
+    sum += std::atan2(before.cross(behind).norm(), before.dot(behind)) * faces[i].normal;
+  }
+  return sum.normalized();
+}
+
+/// The cosine of twice the angle between a face's normal and the mean one at a corner that sticks out; 1 at
+/// others.
+double cosine_at_spike(const ContactKinematics& start, const IndexedVector<FaceIndex, StartFace>& faces,
+                       FaceIndex index, std::uint32_t corner) {
+  const Eigen::Vector3d mean = mean_normal(start, faces, corner, start.contact_mesh().faces[index].surface);
+  const bool sticks_out = mean.dot(0.25 * faces[index].sum - start.x(corner)) < 0.0;
+  const double cosine = mean.dot(faces[index].normal);
+  if (!sticks_out || !(cosine > 0.0)) return 1.0;
+  return 2.0 * cosine * cosine - 1.0;
+}
+
+}  // namespace
+
 std::optional<FaceIndex> find_face_beyond(const ContactMesh& contact_mesh, FaceIndex face,
                                           const std::array<std::uint32_t, 2>& edge) {
   for (const FaceIndex other : contact_mesh.faces_of_node.of(edge[0])) {
@@ -176,6 +214,11 @@ void measure_sharpness(const ContactKinematics& start, ContactMesh& contact_mesh
     for (std::size_t k = 0; k < n; ++k) {
       const auto beyond = find_face_beyond(contact_mesh, f, {face.corners[k], face.corners[(k + 1) % n]});
       least = std::min(least, beyond ? cosine_of_turn(starts[f], starts[*beyond]) : cosine_of_border);
+    }
+    // A surface that turns nowhere by more than some degrees has none.
+    for (std::size_t k = 0; k < n && least < flat_cosine; ++k) {
+      const double at_spike = cosine_at_spike(start, starts, f, face.corners[k]);
+      if (at_spike < blade_cosine) least = std::min(least, at_spike);
     }
     face.sharpness = static_cast<float>(std::round(std::acos(least) * 180.0 / std::numbers::pi));
   }

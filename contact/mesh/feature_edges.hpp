@@ -23,8 +23,9 @@ void choose_feature_edges(const std::vector<SurfaceOptions>& options, const Surf
                           const ContactKinematics& start, ContactMesh& contact_mesh);
 
 /// Sets the sharpness of faces: the greatest angle by which a face and one which shares an edge with it on
-/// the same surface turn away from each other, a right angle at the border of a surface. Whole degrees, so
-/// that round-off does not matter.
+/// the same surface turn away from each other, a right angle at the border of a surface; of faces around the
+/// tip of a spike that is more than blade_sharpness twice the angle between their normals and the mean there.
+/// Whole degrees, so that round-off does not matter.
 ///   start  the faces at the start
 void measure_sharpness(const ContactKinematics& start, ContactMesh& contact_mesh);
 

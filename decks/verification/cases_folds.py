@@ -6,7 +6,7 @@ import numpy as np
 
 from cases import FORMULATIONS, balances, case
 from mesh_maker import MeshMaker
-from runs import at_most
+from runs import Check, at_most
 
 
 def turn_about(axis, angle):
@@ -114,4 +114,53 @@ def thin_sheet(bench):
         for speed in (40, 400):  # m/s; 400 is 3 thicknesses in a step
             runs.append(bench.run("folded_sheet", cube_over_sheet(1e-3), form=form, thickness=1e-3, speed=speed))
             checks += rebound_checks(f"{form}, {speed} m/s", runs[-1], speed, 0.02)
+    return checks + balances(runs)
+
+
+def blade_over_block(kind, slope):
+    """A wedge along y or a cone of eight sides, whose sides rise by an angle, above a block."""
+    mesh = MeshMaker()
+    rise = math.tan(math.radians(slope))
+    if kind == "wedge":
+        half = min(0.7, 1 / rise)
+
+        def place(across, y, up):
+            low = abs(across) * half * rise
+            return 2.42 + across * half, y, 0.01 + low + up * (1.6 - low)
+        mesh.place = place
+        mesh.hexes("blade", (-1, -0.1, 0), (2, 1.2, 1), (4, 5, 3))
+        mesh.place = lambda x, y, z: (x, y, z)
+    else:
+        mesh.cone("blade", (2.42, 0.48, 0.01), 1.5, 1.5 / rise, 8)
+    mesh.new_body()
+    mesh.hexes("soft", (0, -1, -2), (4, 3, 2), (16, 12, 8))
+    mesh.node_set("bottom", lambda x, y, z: z == -2)
+    return mesh
+
+
+def height_of_top(spots, n_x, place):
+    """Where a vertical line meets a grid of spots whose rows are n_x long: each cell as two triangles."""
+    rows = spots.reshape(-1, n_x, 3)
+    heights = []
+    for cell in ((rows[:-1, :-1], rows[:-1, 1:], rows[1:, 1:]), (rows[:-1, :-1], rows[1:, 1:], rows[1:, :-1])):
+        a, b, c = (corner.reshape(-1, 3) for corner in cell)
+        sides = np.stack((b - a, c - a), axis=-1)
+        shares = np.linalg.solve(sides[:, :2], (place - a[:, :2])[..., None])
+        is_in = (np.min(shares, axis=(1, 2)) >= 0) & (np.sum(shares, axis=(1, 2)) <= 1)
+        heights += list((a[:, 2] + (sides[:, 2:] @ shares)[:, 0, 0])[is_in])
+    return max(heights)
+
+
+@case()
+def blades(bench):
+    checks, runs = [], []
+    for form in FORMULATIONS:
+        for kind, slope in (("wedge", 60), ("wedge", 75), ("wedge", 85), ("cone", 60), ("cone", 75), ("cone", 85)):
+            run = bench.run("blades", blade_over_block(kind, slope), form=form)
+            now = run.start + run.nodal("displacement")[-1]
+            top = np.flatnonzero(run.start[:, 2] == 0.0)
+            top = top[np.lexsort((run.start[top, 0], run.start[top, 1]))]
+            runs.append(run)
+            checks.append(Check(f"{form}, {kind}, sides that rise at {slope} degrees: the top below its edge [m]", -0.15,
+                                height_of_top(now[top], 17, np.array([2.42, 0.48])), 0.25, 0.25))
     return checks + balances(runs)

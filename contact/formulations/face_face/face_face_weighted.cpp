@@ -38,13 +38,14 @@ double weight_at(double gap, double thickness) {
 /// nothing where they begin to stand beside each other, so that none comes or goes with a force. The walls of
 /// a sharp corner, which lean away from what it is pressed into, would keep apart what the corner presses;
 /// but the flanks of a wedge are all that it is pressed in by.
-double weight_of_lean(double cosine) {
+///   facing  cosine up to which they face each other
+double weight_of_lean(double cosine, double facing) {
   constexpr double upright = -0.8, beginning = -0.35, least = 0.25;
   const auto share = [&](double from, double to) {
     const double part = std::clamp((from - cosine) / (from - to), 0.0, 1.0);
     return part * part * (3.0 - 2.0 * part);
   };
-  return least * share(max_facing_cosine, beginning) + (1.0 - least) * share(beginning, upright);
+  return least * share(facing, beginning) + (1.0 - least) * share(beginning, upright);
 }
 
 /// An overlap by its mean gap, without a force.
@@ -113,7 +114,8 @@ void FaceFaceContacts::weigh_one(const ContactStepContext& context, const Candid
       faces.first.velocity_at(mean.weights_1) - faces.second.velocity_at(mean.weights_2);
   const double closed = -apart.dot(mean.normal) * context.dt;
   const double cosine = faces.first.look().area.normalized().dot(faces.second.look().area.normalized());
-  overlap.weight = weight_at(mean.gap, thickness) * weight_of_lean(cosine);
+  const double facing = facing_limit(std::max(faces.first.sharpness, faces.second.sharpness));
+  overlap.weight = weight_at(mean.gap, thickness) * weight_of_lean(cosine, facing);
   overlap.penalty = make_penalty(candidate, faces.did_touch, std::max(closed, 0.0));
   overlap.penalty.law = {};  // multipliers press what is deep, not a penalty that grows stiffer
   // Of the mesh: what an offset makes deeper is no other wall.

@@ -71,7 +71,7 @@ bool NodeAreas::is_covered(const ContactStepContext& context, const ContactPoint
     const ContactFace& face = contact_mesh.faces[own];
     if (face.surface != node.surface) continue;
     if (!(context.kinematics.bound(own).normal().cast<double>().dot(contact_point.normal) <
-          max_facing_cosine))
+          facing_limit(face.sharpness)))
       continue;
     for (const std::uint32_t corner : face.corners) {
       if (wanted_[corner] == 0.0) return false;

@@ -179,7 +179,7 @@ bool NodeFaceContacts::is_facing(const ContactStepContext& context, const Surfac
   for (const FaceIndex own : contact_mesh_.faces_of_node.of(node.node)) {
     if (contact_mesh_.faces[own].surface != node.surface) continue;
     if (context.kinematics.bound(own).normal().dot(normal.cast<float>()) <
-        static_cast<float>(max_facing_cosine))
+        static_cast<float>(facing_limit(contact_mesh_.faces[own].sharpness)))
       return true;
     has_faces = true;
   }

@@ -40,6 +40,21 @@ TEST_CASE("faces that stand at an angle have no common plane", "[contact][common
   CHECK(!has_plane(std::nan("")));
 }
 
+TEST_CASE("the flanks of blades and spikes face what these point at", "[contact][common_plane]") {
+  const MovingFace floor = make_square(0.0, 0.0, true);
+  const auto has_plane = [&](double cosine, double sharpness) {
+    const Eigen::Vector3d normal(std::sqrt(1.0 - cosine * cosine), 0.0, cosine);
+    const FaceOrientation flank{normal, sharpness};
+    const bool found = make_common_plane(floor.x, floor.look(), flank).has_value();
+    CHECK(make_common_plane(floor.x, flank, floor.look()).has_value() == found);
+    return found;
+  };
+  CHECK(has_plane(-0.06, 170.0));
+  CHECK(!has_plane(-0.04, 170.0));
+  CHECK(!has_plane(-0.29, 145.0));
+  CHECK(has_plane(-0.29, 146.0));
+}
+
 TEST_CASE("a corner that leans is seen along the normal of the blunter face", "[contact][common_plane]") {
   const MovingFace floor = make_square(0.0, 0.0, true);
   const auto plane_at = [&](double degrees, double sharpness_of_floor, double sharpness) {
