@@ -10,12 +10,28 @@
 
 namespace contactsim {
 
+/// Keeps a file for this process as long as it lives: others that ask for the same are refused. It goes with
+/// its owner, however that ends, and leaves nothing behind.
+class FileLock {
+ public:
+  /// Files that are no regular ones, and file systems without locks, are not kept. Throws FileError when
+  /// another process has the file.
+  explicit FileLock(const std::string& path);
+  ~FileLock();
+  FileLock(const FileLock&) = delete;
+  FileLock& operator=(const FileLock&) = delete;
+
+ private:
+  int descriptor_;
+};
+
 /// What the user reads: every text goes to standard output and to the log file, problems to standard error
 /// and to the log file. Lines are wrapped to line_width, but for problems on standard error, which editors
 /// read.
 class Log {
  public:
-  /// Touches nothing that the file holds. Throws FileError when it cannot be written.
+  /// Touches nothing that the file holds. Throws FileError when it cannot be written, or another run writes
+  /// it.
   ///   is_quiet  problems alone are printed
   explicit Log(const std::string& path, bool is_quiet = false);
 
@@ -41,6 +57,7 @@ class Log {
  private:
   std::string path_;
   std::ofstream file_;
+  FileLock lock_;
   std::string held_;
   std::vector<std::string> errors_;
   bool has_begun_ = false, has_file_ = true;

@@ -9,7 +9,7 @@
 
 namespace contactsim {
 
-void archive(const Checkpoint& checkpoint, StateArchive& saved) {
+std::vector<RunMark> archive(const Checkpoint& checkpoint, StateArchive& saved) {
   const Model& model = checkpoint.model;
   State& state = checkpoint.state;
   saved.expect("run/mesh", digest_of(*model.mesh), "nodes or elements");
@@ -29,6 +29,7 @@ void archive(const Checkpoint& checkpoint, StateArchive& saved) {
     checkpoint.contact->force().archive(motion_of(state), saved);
   }
   checkpoint.outputs.archive(saved);
+  return archive(checkpoint.marks, saved);
 }
 
 }  // namespace contactsim

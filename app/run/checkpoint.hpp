@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "app/run/run_death.hpp"
+#include "app/run/run_marks.hpp"
 #include "core/base/state_archive.hpp"
 #include "core/dynamics/model.hpp"
 #include "core/dynamics/state.hpp"
@@ -20,11 +21,12 @@ struct Checkpoint {
   LoadSteps* load_steps;  ///< null in explicit procedures
   RunDeath* death;        ///< null when nothing can die
   OutputPlan& outputs;
-  std::optional<double> shifted_to;  ///< the time that a restored state begins at, if not its own [time]
+  std::optional<double> shifted_to;   ///< the time that a restored state begins at, if not its own [time]
+  const std::vector<RunMark>& marks;  ///< of now
 };
 
-/// Saves it, or restores it in a run of the same mesh, materials and contact. Throws FileError when the saved
-/// one is of another run.
-void archive(const Checkpoint& checkpoint, StateArchive& saved);
+/// Saves it, or restores it in a run of the same mesh, materials and contact. Returns the marks that are not
+/// as they were. Throws FileError when the saved one is of another run.
+std::vector<RunMark> archive(const Checkpoint& checkpoint, StateArchive& saved);
 
 }  // namespace contactsim

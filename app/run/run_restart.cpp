@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "app/run/run_restart.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <filesystem>
 
@@ -19,11 +22,17 @@ OutputSchedule wall_schedule(const std::vector<WallTimePhase>& phases) {
   return schedule;
 }
 
+std::int64_t nanoseconds_now() {
+  using std::chrono::system_clock, std::chrono::nanoseconds;
+  return std::chrono::duration_cast<nanoseconds>(system_clock::now().time_since_epoch()).count();
+}
+
 }  // namespace
 
 RunRestart::RunRestart(const RunInput& input, Diagnostics& diagnostics)
     : time_(input.definition.restart.time),
-      resumes_(input.definition.restart.is_automatic || input.definition.restart.time) {
+      resumes_(input.definition.restart.is_automatic || input.definition.restart.time),
+      begun_(nanoseconds_now()) {
   const std::vector<RestartData>& blocks = input.region.restart_data;
   if (blocks.empty()) {
     if (!resumes_) return;
@@ -95,6 +104,8 @@ void RunRestart::find_state(const std::vector<std::string>& outputs, Diagnostics
     }
     begun_ = state.head.begun;
     run_ = state.head.run + 1;
+    is_of_latest_run_ = std::ranges::none_of(
+        states, [&](const StoredState& other) { return other.head.begun > state.head.begun; });
     choose_run(outputs);
     source_ = state;
     return;
@@ -144,6 +155,39 @@ bool RunRestart::store(const Checkpoint& checkpoint, bool is_last, bool is_wante
   last_step_ = state.step;
   ++n_written_;
   return true;
+}
+
+void warn_of_restart(const RunRestart& restart, std::span<const RunMark> changed, bool is_over,
+                     Diagnostics& warnings) {
+  const StoredState& state = *restart.source();
+  // Steps end where they end, and decks write times to a few digits.
+  const double time = std::abs(state.head.time);
+  const double step = time / static_cast<double>(std::max<std::int64_t>(state.head.step, 1));
+  if (restart.distance_to(state) > std::max(0.01 * time, 2.0 * step)) {
+    warnings.add_warning(
+        "restart-time", {},
+        fmt::format("no state of t = {:.6g} is stored; the nearest one, of t = {:.6g} in {}, "
+                    "is taken",
+                    restart.time(), state.head.time, state.path));
+  }
+  if (!restart.is_of_latest_run()) {
+    warnings.add_warning(
+        "restart-run", {},
+        fmt::format("{} is of an earlier run than other states of {}", state.path, restart.input()),
+        "a DATABASE NAME of its own for each study keeps runs apart");
+  }
+  if (is_over) {
+    warnings.add_warning(
+        "restart-over", {},
+        fmt::format("the state in {} is of t = {:.6g}, where the run ends: nothing is left to do", state.path,
+                    state.head.time),
+        "a later TERMINATION TIME lets it go on");
+  }
+  for (const RunMark& mark : changed) {
+    warnings.add_warning("restart-changed", mark.location,
+                         fmt::format("{} is not as it was in the run that stored {}", mark.what, state.path),
+                         "the run goes on with the new one from the old state");
+  }
 }
 
 }  // namespace contactsim

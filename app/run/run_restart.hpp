@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <ctime>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -57,6 +57,10 @@ class RunRestart {
   const std::string& input() const { return input_; }
   /// The one that was found.
   const std::optional<StoredState>& source() const { return source_; }
+  /// Whether no run that began later has stored states in the database.
+  bool is_of_latest_run() const { return is_of_latest_run_; }
+  /// RESTART TIME. Precondition: the deck asks for one [time].
+  double time() const { return *time_; }
   /// What was written; the last step is absent when nothing was.
   std::int64_t n_written() const { return n_written_; }
   std::optional<std::int64_t> last_step() const { return last_step_; }
@@ -77,12 +81,19 @@ class RunRestart {
   std::optional<OutputTimes> times_, wall_times_;  // absent: nothing is stored
   double clock_begun_ = 0.0;                       // [s]
   RestartSlots slots_{0, std::nullopt};
-  std::int64_t begun_ = std::time(nullptr), run_ = 1;
+  std::int64_t begun_ = 0, run_ = 1;
+  bool is_of_latest_run_ = true;
   std::optional<StoredState> source_;
   std::optional<SavedState> earlier_;
   std::string last_path_;
   std::optional<std::int64_t> last_step_;
   std::int64_t n_written_ = 0;
 };
+
+/// Warns of a state that is not what the deck asks for ("restart-time"), of an earlier run ("restart-run"),
+/// at the end of the run ("restart-over"), and of what has changed since ("restart-changed"). Precondition:
+/// the run goes on from a state.
+void warn_of_restart(const RunRestart& restart, std::span<const RunMark> changed, bool is_over,
+                     Diagnostics& warnings);
 
 }  // namespace contactsim

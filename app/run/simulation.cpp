@@ -94,8 +94,9 @@ RunEstimate Simulation::estimate() {
 void Simulation::resume() {
   Parts& run = *parts_;
   StateArchive saved(*run.restart.earlier());
-  archive(run.checkpoint(), saved);
+  const std::vector<RunMark> changed = archive(run.checkpoint(), saved);
   run.restart.forget_earlier();
+  warn_of_restart(run.restart, changed, control().is_over(state().time, state().dt), run.diagnostics);
   run.energy_warnings.begin(run.state);
   run.outputs.resume(run.state);
   run.restart.begin(run.state);

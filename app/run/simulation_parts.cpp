@@ -66,6 +66,7 @@ Simulation::Parts::Parts(const RunInput& run_input, RunSettings run_settings, Di
       outputs(scope, setup.model, output_settings(input, settings, contact.get())),
       death(make_death(scope, setup, outputs, contact.get())),
       restart(input, diagnostics),
+      marks(find_run_marks(input, setup.model)),
       state(make_state(input.mesh.coordinates(), setup.model.blocks, setup.control.start_time())),
       internal(setup.model, state),
       timed_internal(internal),
@@ -92,7 +93,7 @@ Simulation::Parts::Parts(const RunInput& run_input, RunSettings run_settings, Di
 Checkpoint Simulation::Parts::checkpoint() {
   const auto shifted_to = restart.shifts() ? std::optional(setup.control.start_time()) : std::nullopt;
   return {setup.model, state,   contact.get(), load_steps ? &*load_steps : nullptr,
-          death.get(), outputs, shifted_to};
+          death.get(), outputs, shifted_to,    marks};
 }
 
 void Simulation::Parts::prepare_files() {

@@ -59,6 +59,7 @@ struct Simulation::Parts {
   OutputPlan outputs;
   const std::unique_ptr<RunDeath> death;  // null when nothing can die
   RunRestart restart;
+  std::vector<RunMark> marks;
   State state;
   InternalForce internal;
   TimedForce timed_internal, timed_external;

@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <sstream>
 
+#include "app/reports/log.hpp"
 #include "support/catch.hpp"
 #include "support/exodus_file.hpp"
 #include "support/file_modes.hpp"
@@ -138,6 +139,63 @@ TEST_CASE("a state of another mesh or material is refused", "[app][restart]") {
   const auto [code, out, err] = bar.run_deck(restart("restart = automatic\n"));
   CHECK(code == 3);
   CHECK_THAT(err, Contains("is of a run with other nodes or elements"));
+}
+
+TEST_CASE("a state that is far from RESTART TIME is told", "[app][restart]") {
+  const FlyingBar bar;
+  REQUIRE(bar.run_deck(restart("at time 0 increment = 5e-4\n")).exit_code == 0);
+  CHECK_THAT(bar.run_deck(restart(every_ten + "restart time = 5e-4\n")).err, !Contains("[restart-"));
+  const auto [code, out, err] = bar.run_deck(restart(every_ten + "restart time = 5e-5\n"));
+  CHECK(code == 0);
+  CHECK_THAT(err, Contains("no state of t = 5e-05 is stored; the nearest one, of t = ") &&
+                      Contains("[restart-time]"));
+}
+
+TEST_CASE("a state of an earlier run than the latest one is told", "[app][restart]") {
+  const FlyingBar bar;
+  REQUIRE(bar.run_deck(restart("at time 0 increment = 5e-4\n")).exit_code == 0);
+  REQUIRE(bar.run_deck(restart("overlay count = 1\nat time 0 increment = 2e-3\n")).exit_code == 0);
+  const auto [code, out, err] = bar.run_deck(restart(every_ten + "restart time = 1e-3\n"));
+  CHECK(code == 0);
+  CHECK_THAT(err, Contains("is of an earlier run than other states of a.rsout") && Contains("[restart-run]"));
+}
+
+TEST_CASE("a run that is over where it would go on says so", "[app][restart]") {
+  const FlyingBar bar;
+  REQUIRE(bar.run_deck(restart(every_ten), "restart = automatic\n").exit_code == 0);
+  const auto [code, out, err] = bar.run_deck(restart(every_ten), "restart = automatic\n", "1e-3");
+  CHECK(code == 0);
+  CHECK_THAT(err, Contains("where the run ends: nothing is left to do") && Contains("[restart-over]"));
+  CHECK_THAT(bar.run_deck(restart(every_ten), "restart = automatic\n", "3e-3").err, !Contains("[restart-"));
+}
+
+TEST_CASE("what has changed since a state was stored is told", "[app][restart]") {
+  const FlyingBar bar;
+  REQUIRE(bar.run_deck(restart(every_ten)).exit_code == 0);
+  const auto go_on_with = [&](const std::string& before, const std::string& after) {
+    bar.write_deck(restart(every_ten + "restart time = 2e-3\n"), "", "2.2e-3");
+    std::string deck = bar.read("a.i");
+    deck.replace(deck.find(before), before.size(), after);
+    bar.write("a.i", deck);
+    return bar.run({"a.i"});
+  };
+  CHECK_THAT(go_on_with("magnitude = 10", "magnitude = 20").err, !Contains("[restart-changed]"));
+  const std::string changed = "the material 'm' is not as it was in the run that stored a.rsout";
+  CHECK_THAT(go_on_with("density = 8000", "density = 8001").err, Contains(changed));
+  CHECK_THAT(go_on_with("youngs modulus = 200e9", "youngs modulus = 201e9").err, Contains(changed));
+}
+
+TEST_CASE("a folder in which a run is writing its log is not for another one", "[app][restart]") {
+  const FlyingBar bar;
+  bar.write_deck("", "", "1e-4");
+  {
+    const Log running(bar.path("a.log"));
+    const auto [code, out, err] = bar.run({"a.i"});
+    CHECK(code == 3);
+    CHECK_THAT(err, Contains("a.log") && Contains("its folder is already in use"));
+    CHECK(bar.run({"a.i", "--log", "b.log"}).exit_code == 0);
+  }
+  CHECK(bar.run({"a.i"}).exit_code == 0);
 }
 
 TEST_CASE("overlay and cycle count limit the number of files", "[app][restart]") {
