@@ -8,6 +8,7 @@
 #include <dlfcn.h>
 #include <dmumps_c.h>
 
+#include <new>
 #include <string>
 #include <vector>
 
@@ -16,6 +17,21 @@ namespace contactsim {
 namespace {
 
 using Call = void (*)(DMUMPS_STRUC_C*);
+
+/// OpenBLAS asks for its buffers for ever where there is no room for them: it is made to ask for them where
+/// there is. Throws std::bad_alloc where there is none.
+void allocate_buffers(void* library) {
+  using Solve = void (*)(const char*, const char*, const char*, const char*, const int*, const int*,
+                         const double*, const double*, const int*, double*, const int*);
+  const auto solve = reinterpret_cast<Solve>(dlsym(library, "dtrsm_"));
+  if (solve == nullptr) return;
+  constexpr std::size_t bytes = std::size_t{144} << 20;  // a buffer has 128 MiB
+  ::operator delete(::operator new(bytes));
+  constexpr int n = 1;
+  constexpr double one = 1.0;
+  double solution = 1.0;
+  solve("L", "L", "N", "N", &n, &n, &one, &one, &n, &solution, &n);
+}
 
 /// What calls MUMPS, null where it is not installed.
 Call find_mumps() {
@@ -26,6 +42,7 @@ Call find_mumps() {
     // Several threads of OpenBLAS would add in an order that depends on their number.
     if (void* set_threads = dlsym(library, "openblas_set_num_threads"))
       reinterpret_cast<void (*)(int)>(set_threads)(1);
+    allocate_buffers(library);
     return reinterpret_cast<Call>(dlsym(library, "dmumps_c"));
   }();
   return found;
@@ -33,7 +50,7 @@ Call find_mumps() {
 
 /// Jobs and settings by the names of the manual, 5.2 and 6.
 enum Job { end = -2, begin = -1, analyse_and_factorise = 4, substitute = 3 };
-constexpr int fortran_world = -987654;
+constexpr int fortran_world = -987654, no_memory = -13;
 
 class MumpsFactor final : public SparseFactor {
  public:
@@ -65,7 +82,9 @@ class MumpsFactor final : public SparseFactor {
     data_.irn = rows_.data();
     data_.jcn = columns_.data();
     data_.a = values_.data();
-    return run(analyse_and_factorise);
+    const bool is_done = run(analyse_and_factorise);
+    if (data_.infog[0] == no_memory) throw std::bad_alloc();
+    return is_done;
   }
 
   Eigen::VectorXd solve(const Eigen::VectorXd& right) const override {
