@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "contact/mesh/adjacent_faces.hpp"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <numeric>
+#include <utility>
 
 #include "contact/geometry/node_face.hpp"
 
@@ -25,6 +28,13 @@ double distance(const FaceCorners& a, const FaceCorners& b) {
   return least;
 }
 
+bool are_within(double reach, const FaceCorners& a, const FaceCorners& b) {
+  for (Eigen::Index k = 0; k < 4; ++k) {
+    if ((b.colwise() - a.col(k)).colwise().norm().minCoeff() <= reach) return true;
+  }
+  return distance(a, b) <= reach;
+}
+
 double radius(const FaceCorners& face) { return (face.colwise() - face.col(0)).colwise().norm().maxCoeff(); }
 
 }  // namespace
@@ -42,6 +52,25 @@ void AdjacentFaces::renew(const Mesh& mesh) {
   x_.resize(3, static_cast<Eigen::Index>(contact_mesh.n_nodes()));
   for (Eigen::Index i = 0; i < x_.cols(); ++i)
     x_.col(i) = mesh.coordinates().col(contact_mesh_.mesh_nodes[static_cast<std::size_t>(i)]);
+  bound_bodies();
+}
+
+/// About the middle of the box around each body.
+void AdjacentFaces::bound_bodies() {
+  std::vector<Eigen::AlignedBox3d> boxes(body_.size());
+  for (std::uint32_t i = 0; i < body_.size(); ++i) boxes[body_[i]].extend(x_.col(i));
+  spheres_.assign(body_.size(), Eigen::Vector4d::Zero());
+  for (std::uint32_t i = 0; i < body_.size(); ++i) {
+    Eigen::Vector4d& sphere = spheres_[body_[i]];
+    sphere.head<3>() = boxes[body_[i]].center();
+    sphere[3] = std::max(sphere[3], (x_.col(i) - sphere.head<3>()).norm());
+  }
+}
+
+bool AdjacentFaces::has_body_within(std::uint32_t node, double distance) const {
+  const Eigen::Vector4d& sphere = spheres_[body_[node]];
+  constexpr double rounding = 1e-9;
+  return (1.0 + rounding) * ((sphere.head<3>() - x_.col(node)).norm() + sphere[3]) <= distance;
 }
 
 void AdjacentFaces::find_bodies() {
@@ -119,15 +148,32 @@ bool AdjacentFaces::are_adjacent(const Piece& a, const Piece& b) const {
   const double offset = a.offset + b.offset;
   if (offset == 0.0 || body_[a.nodes[0]] != body_[b.nodes[0]]) return false;
   const FaceCorners at_a = corners(a), at_b = corners(b);
-  if (distance(at_a, at_b) > offset) return false;
+  if (!are_within(offset, at_a, at_b)) return false;
   const double farthest = radius(at_a) + offset + radius(at_b);
-  std::vector<std::uint32_t> seen(a.nodes.begin(), a.nodes.end());
-  for (std::size_t i = 0; i < seen.size(); ++i) {
-    for (const PieceIndex neighbour : pieces_of_node_.of(seen[i])) {
+  if (has_body_within(a.nodes[0], farthest)) return true;
+  // Nodes that pieces join to the first, those near the second first, and in which search a node was met
+  // last.
+  using Step = std::pair<double, std::uint32_t>;
+  thread_local std::vector<Step> steps;
+  thread_local std::vector<std::uint64_t> met;
+  thread_local std::uint64_t search = 0;
+  ++search;
+  steps.clear();
+  met.resize(std::max(met.size(), body_.size()), 0);
+  const auto meet = [&](std::uint32_t node) {
+    if (std::exchange(met[node], search) == search) return;
+    steps.emplace_back((x_.col(node) - at_b.col(0)).squaredNorm(), node);
+    std::ranges::push_heap(steps, std::greater<>());
+  };
+  std::ranges::for_each(a.nodes, meet);
+  while (!steps.empty()) {
+    std::ranges::pop_heap(steps, std::greater<>());
+    const std::uint32_t nearest = steps.back().second;
+    steps.pop_back();
+    for (const PieceIndex neighbour : pieces_of_node_.of(nearest)) {
       for (const std::uint32_t node : piece(neighbour).nodes) {
         if (std::ranges::find(b.nodes, node) != b.nodes.end()) return true;
-        const bool is_near = (x_.col(node) - at_a.col(0)).norm() <= farthest;
-        if (is_near && std::ranges::find(seen, node) == seen.end()) seen.push_back(node);
+        if ((x_.col(node) - at_a.col(0)).norm() <= farthest) meet(node);
       }
     }
   }
