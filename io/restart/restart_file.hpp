@@ -11,7 +11,7 @@ namespace contactsim {
 /// What a restart file says about its state.
 struct RestartHead {
   std::int64_t begun = 0;  ///< when the run from the start began, by the clock, since 1970 [ns]
-  std::int64_t run = 1;  ///< 1 of the run from the start, 2 of the first that went on, ...
+  std::int64_t run = 1;    ///< 1 of the run from the start, 2 of the first that went on, ...
   std::int64_t step = 0;
   double time = 0.0;  ///< [time]
 };
