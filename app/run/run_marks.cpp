@@ -133,8 +133,12 @@ std::vector<RunMark> archive(const std::vector<RunMark>& marks, StateArchive& sa
   if (!saved.restores()) return changed;
   std::ranges::copy_if(marks, std::back_inserter(changed), [&](const RunMark& mark) {
     const SavedMark now = as_saved(mark);
-    const auto before = std::ranges::find(kept, now.what, &SavedMark::what);
-    return before != kept.end() && before->digest != now.digest;
+    // Pairs of the same surfaces take turns: several marks may be of the same.
+    const auto is_of_it = [&](const SavedMark& before) { return before.what == now.what; };
+    const auto is_it = [&](const SavedMark& before) {
+      return is_of_it(before) && before.digest == now.digest;
+    };
+    return std::ranges::any_of(kept, is_of_it) && std::ranges::none_of(kept, is_it);
   });
   return changed;
 }

@@ -66,7 +66,7 @@ Simulation::Parts::Parts(const RunInput& run_input, RunSettings run_settings, Di
       outputs(scope, setup.model, output_settings(input, settings, contact.get())),
       death(make_death(scope, setup, outputs, contact.get())),
       restart(input, diagnostics),
-      marks(find_run_marks(input, setup.model)),
+      marks(restart.stores() ? find_run_marks(input, setup.model) : std::vector<RunMark>{}),
       state(make_state(input.mesh.coordinates(), setup.model.blocks, setup.control.start_time())),
       internal(setup.model, state),
       timed_internal(internal),

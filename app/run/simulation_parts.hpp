@@ -59,7 +59,7 @@ struct Simulation::Parts {
   OutputPlan outputs;
   const std::unique_ptr<RunDeath> death;  // null when nothing can die
   RunRestart restart;
-  std::vector<RunMark> marks;
+  const std::vector<RunMark> marks;  // of runs that store states
   State state;
   InternalForce internal;
   TimedForce timed_internal, timed_external;
