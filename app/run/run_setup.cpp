@@ -63,25 +63,6 @@ std::optional<StateTransfer> find_transfer(const RunInput& input, const Conditio
   return transfer;
 }
 
-/// The initial conditions, about axes of what load steps before have moved.
-InitialState find_initial_state(const RunInput& input, const std::optional<StateTransfer>& transfer,
-                                const ConditionScope& scope, const Model& model) {
-  const bool has_moved = transfer && !transfer->takes_velocities;
-  const Mesh moved =
-      has_moved ? input.mesh.with_coordinates(coordinates_at_start(*transfer, input.earlier->state(), model))
-                : Mesh{};
-  const ConditionScope at_start{scope.definition,
-                                scope.region,
-                                scope.time_stepping_blocks,
-                                has_moved ? moved : scope.mesh,
-                                scope.diagnostics,
-                                scope.stored,
-                                scope.rigid};
-  InitialState initial = make_initial_state(at_start, model.blocks);
-  set_rigid_velocities(at_start, model.rigid, initial.velocity);
-  return initial;
-}
-
 }  // namespace
 
 Setup set_up(const RunInput& input, Diagnostics& diagnostics) {
@@ -107,10 +88,11 @@ Setup set_up(const RunInput& input, Diagnostics& diagnostics) {
   set_discrete_steps(model);
   ExternalForce external = make_external_force(scope, model.mass, model.inertia);
   TimeStepControl control = make_time_step_control(input.procedure, input.region);
-  auto transfer = find_transfer(input, scope, model);
-  InitialState initial = find_initial_state(input, transfer, scope, model);
+  InitialState initial = make_initial_state(scope, model.blocks);
+  set_rigid_velocities(scope, model.rigid, initial.velocity);
   auto death_sets = find_death_sets(scope, model);
   refuse_inertia(input, initial, diagnostics);
+  auto transfer = find_transfer(input, scope, model);
   if (input.procedure.implicit_by) make_static(model);
   if (transfer) keep_drilling(*transfer, input.earlier->model(), model);
   return {std::move(model),

@@ -137,15 +137,10 @@ void accelerate_nodes(const RigidBody& body, const RigidBodyState& moving, State
   }
 }
 
-/// Velocities of a body's nodes now.
-void set_velocities(const RigidBody& body, const RigidBodyState& moving, State& state) {
-  const Eigen::Matrix3Xd arms = arms_of(body, moving.orientation);
-  for (std::size_t k = 0; k < body.nodes.size(); ++k) {
-    const auto node = static_cast<Eigen::Index>(body.nodes[k].value);
-    const Eigen::Vector3d arm = arms.col(static_cast<Eigen::Index>(k));
-    state.velocity.col(node) = moving.now.velocity + moving.now.turning.cross(arm);
-    if (state.rotations.exist()) state.rotations.velocity.col(node) = moving.now.turning;
-  }
+std::vector<RigidBodyState> bodies_of_mesh(const Model& model) {
+  std::vector<RigidBodyState> bodies(model.rigid.bodies.size());
+  for (std::size_t i = 0; i < bodies.size(); ++i) bodies[i].position = model.rigid.bodies[i].centre;
+  return bodies;
 }
 
 /// Conditions that give velocities at the start.
@@ -163,16 +158,20 @@ void drive_start(const Model& model, State& state) {
                          body.before.turning;
     }
     body.now = body.before;
-    set_velocities(model.rigid.bodies[i], body, state);
+    set_node_velocities(model.rigid.bodies[i], body, state);
   }
 }
 
 }  // namespace
 
-std::vector<RigidBodyState> bodies_of_mesh(const Model& model) {
-  std::vector<RigidBodyState> bodies(model.rigid.bodies.size());
-  for (std::size_t i = 0; i < bodies.size(); ++i) bodies[i].position = model.rigid.bodies[i].centre;
-  return bodies;
+void set_node_velocities(const RigidBody& body, const RigidBodyState& moving, State& state) {
+  const Eigen::Matrix3Xd arms = arms_of(body, moving.orientation);
+  for (std::size_t k = 0; k < body.nodes.size(); ++k) {
+    const auto node = static_cast<Eigen::Index>(body.nodes[k].value);
+    const Eigen::Vector3d arm = arms.col(static_cast<Eigen::Index>(k));
+    state.velocity.col(node) = moving.now.velocity + moving.now.turning.cross(arm);
+    if (state.rotations.exist()) state.rotations.velocity.col(node) = moving.now.turning;
+  }
 }
 
 void start_rigid_bodies(const Model& model, State& state) {
@@ -199,7 +198,7 @@ void start_rigid_bodies(const Model& model, State& state) {
     moving.before.spin =
         inertia_amid(body, moving.orientation, moving.before.turning, 0.0) * moving.before.turning;
     moving.now = moving.before;
-    set_velocities(body, moving, state);
+    set_node_velocities(body, moving, state);
   }
 }
 

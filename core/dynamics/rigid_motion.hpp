@@ -9,8 +9,8 @@
 /// get accelerations that take them where the body goes, so that the nodes' own step moves them.
 namespace contactsim {
 
-/// [n_bodies] at rest where the mesh has them.
-std::vector<RigidBodyState> bodies_of_mesh(const Model& model);
+/// Gives the nodes of a body its velocities of now.
+void set_node_velocities(const RigidBody& body, const RigidBodyState& moving, State& state);
 
 /// Puts bodies where the mesh has them unless the state has them elsewhere, gives them the momentum that
 /// their nodes have together, and the nodes the velocities of their body.

@@ -111,10 +111,12 @@ void find_bodies(const ConditionScope& scope, const DeckLocation& location, cons
   }
 }
 
-/// Puts bodies where those of the other model are; their nodes say how they move.
+/// Puts bodies where those of the other model are. They move as their nodes do, or as the initial conditions
+/// had them move where the mesh has them.
 void take_over_bodies(const StateTransfer& transfer, const Model& earlier, const State& from,
                       const Model& model, State& state) {
-  state.rigid = bodies_of_mesh(model);
+  state.rigid.clear();
+  start_rigid_bodies(model, state);
   for (std::size_t i = 0; i < transfer.bodies.size(); ++i) {
     if (!transfer.bodies[i]) continue;
     const RigidBodyState& source = from.rigid[*transfer.bodies[i]];
@@ -125,6 +127,7 @@ void take_over_bodies(const StateTransfer& transfer, const Model& earlier, const
     target.position = source.position + source.orientation * shift;
     target.orientation = source.orientation;
     target.angle = source.angle;
+    set_node_velocities(model.rigid.bodies[i], target, state);
   }
 }
 
@@ -177,12 +180,6 @@ StateTransfer find_state_transfer(const ConditionScope& scope, std::span<const P
   }
   find_bodies(scope, location, earlier, model, transfer);
   return transfer;
-}
-
-Eigen::Matrix3Xd coordinates_at_start(const StateTransfer& transfer, const State& from, const Model& model) {
-  Eigen::Matrix3Xd coordinates = model.mesh->coordinates();
-  copy_columns(find_taken_nodes(transfer, model), from.coordinates, coordinates);
-  return coordinates;
 }
 
 void keep_drilling(const StateTransfer& transfer, const Model& earlier, Model& model) {

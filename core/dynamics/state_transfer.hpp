@@ -32,9 +32,6 @@ struct StateTransfer {
 StateTransfer find_state_transfer(const ConditionScope& scope, std::span<const ProceduralTransfer> transfers,
                                   const Model& earlier, const Model& model);
 
-/// Where the nodes are as the model begins [3 x n_nodes] [length].
-Eigen::Matrix3Xd coordinates_at_start(const StateTransfer& transfer, const State& from, const Model& model);
-
 /// Has shells of an explicit model resist drilling as those do that they take over from: moments about their
 /// normals are part of that equilibrium.
 void keep_drilling(const StateTransfer& transfer, const Model& earlier, Model& model);

@@ -146,6 +146,27 @@ TEST_CASE("a rigid body that load steps have turned flies and spins on from ther
   CHECK(punch.column("fly", Of::lost).back() == Approx(0.0).margin(1e-6));
 }
 
+TEST_CASE("an initial spin behind load steps is about the axis of the mesh, wherever these have put the body",
+          "[app][procedures][rigid]") {
+  const RigidPunch punch(0.5);
+  const std::string spin =
+      "begin initial velocity\nblock = up\ncylindrical axis = across\nangular velocity = 4\nend\n";
+  const auto run =
+      punch.run_deck({{"adagio", "lift", "0", "1", turned_punch}, {"presto", "fly", "1", "1.1", spin}},
+                     "define point a with coordinates 1.45 0 1.75\n"
+                     "define point b with coordinates 1.45 1 1.75\n"
+                     "define axis across with point a point b\n");
+  REQUIRE(run.exit_code == 0);
+  const std::vector<double> turns = punch.column("fly", Of::turn), times = punch.column("fly", 0);
+  CHECK(turns.back() == Approx(0.5 + 4.0 * (times.back() - times.front())).epsilon(1e-6));
+  CHECK(punch.column("fly", Of::way).back() == Approx(0.3));
+  // A box of 1.5 x 1 x 0.5 m and 750 kg, with the masses of its elements.
+  CHECK(punch.column("fly", Of::kinetic).back() ==
+        Approx(0.5 * 16.0 * 750.0 * (1.5 * 1.5 + 0.5 * 0.5) / 12.0).epsilon(0.6));
+  CHECK(punch.column("fly", Of::kinetic).back() ==
+        Approx(punch.column("fly", Of::kinetic).front()).epsilon(1e-9));
+}
+
 TEST_CASE("a rigid body goes on with its motion in an explicit procedure that follows",
           "[app][procedures][rigid]") {
   const RigidPunch punch(0.5);
