@@ -6,12 +6,12 @@
 #include <string>
 #include <vector>
 
-#include "fuzz/deck_run.hpp"
+#include "campaigns/decks/deck_run.hpp"
 #include "support/catch.hpp"
 
 TEST_CASE("no text of the fuzzer's corpus, whole or cut short, does harm", "[parser][fuzz]") {
   std::vector<std::filesystem::path> paths;
-  for (const auto& entry : std::filesystem::directory_iterator(CONTACTSIM_SOURCE_DIR "/tests/fuzz/corpus")) {
+  for (const auto& entry : std::filesystem::directory_iterator(CONTACTSIM_SOURCE_DIR "/tests/campaigns/decks/corpus")) {
     paths.push_back(entry.path());
   }
   std::sort(paths.begin(), paths.end());
