@@ -55,12 +55,15 @@ std::string DeckNames::block_for_message() const {
                                  : fmt::format("the {} '{}'", word, block.name.text);
 }
 
-void DeckNames::drop_errors_of_block() {
+void DeckNames::note_wrong_lines() {
+  NamedBlock& block = blocks_[current_];
+  block.has_wrong_lines = true;
+  if (!block.inner.empty()) return;
   Diagnostics kept;
-  for (const Diagnostic& problem : blocks_[current_].of_block.all()) {
+  for (const Diagnostic& problem : block.of_block.all()) {
     if (problem.severity == Severity::warning) kept.add(problem);
   }
-  blocks_[current_].of_block = std::move(kept);
+  block.of_block = std::move(kept);
 }
 
 void DeckNames::add_problem_of_block(std::string_view text, std::string hint) {
@@ -175,18 +178,26 @@ void DeckNames::look_up(const NamedKind& reference, std::size_t i, Diagnostics& 
   }
 }
 
-bool DeckNames::is_used(NameKind kind, const DeckName& definition) const {
-  const auto is_it = [&](std::size_t i) {
-    const DeckLocation& place = blocks_[i].name.location;
-    return place.line == definition.location.line && place.column == definition.location.column;
-  };
+const DeckNames::NamedBlock* DeckNames::find_block(NameKind kind, const DeckName& definition) const {
   for (const auto& [home, known] : known_) {
     if (home.second != kind) continue;
     for (const std::size_t i : known.find(definition.text)) {
-      if (blocks_[i].is_used && is_it(i)) return true;
+      const DeckLocation& place = blocks_[i].name.location;
+      if (place.line == definition.location.line && place.column == definition.location.column)
+        return &blocks_[i];
     }
   }
-  return false;
+  return nullptr;
+}
+
+bool DeckNames::is_used(NameKind kind, const DeckName& definition) const {
+  const NamedBlock* block = find_block(kind, definition);
+  return block != nullptr && block->is_used;
+}
+
+bool DeckNames::has_wrong_lines(NameKind kind, const DeckName& definition) const {
+  const NamedBlock* block = find_block(kind, definition);
+  return block != nullptr && block->has_wrong_lines;
 }
 
 void DeckNames::report_problems_of_lines(Diagnostics& diagnostics) const {

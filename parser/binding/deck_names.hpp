@@ -50,10 +50,9 @@ class DeckNames {
   Diagnostics& problems_of_lines(Diagnostics& otherwise);
   /// What is wrong with the current block as a whole: counts as the names in it do.
   Diagnostics& problems_of_block() { return blocks_[current_].of_block; }
-  /// Forgets the errors among them: a line of the block that is wrong is the likely cause.
-  void drop_errors_of_block();
-  /// Whether the current block has no blocks inside.
-  bool is_innermost() const { return blocks_[current_].inner.empty(); }
+  /// Lines of the current block could not be read. That is the likely cause of its errors as a whole, which are
+  /// forgotten when it has no blocks inside.
+  void note_wrong_lines();
   /// Adds one of them under the block's name: "the spot weld 'w'" and `text`, which goes on "has no SURFACE".
   void add_problem_of_block(std::string_view text, std::string hint = "");
   /// The current block as messages call it: "the spot weld 'w'".
@@ -69,6 +68,8 @@ class DeckNames {
   void use_all(NameKind kind, Diagnostics& diagnostics);
   /// Whether something uses a definition, which is known by its name and place.
   bool is_used(NameKind kind, const DeckName& definition) const;
+  /// Whether lines of a definition could not be read: what it lacks may be what they were to give.
+  bool has_wrong_lines(NameKind kind, const DeckName& definition) const;
 
   /// Problems of lines that waited for a use; of what nothing uses they are warnings ("deck-unused").
   void report_problems_of_lines(Diagnostics& diagnostics) const;
@@ -83,13 +84,14 @@ class DeckNames {
     std::vector<NameKind> left_open;
     std::vector<std::size_t> inner;
     Diagnostics of_lines, of_block;
-    bool is_used = false, is_dropped = false;
+    bool is_used = false, is_dropped = false, has_wrong_lines = false;
   };
   using Home = std::pair<std::size_t, NameKind>;  ///< a block, and what is known in it
 
   void define_all(Diagnostics& diagnostics);
   KnownNames& known_in(const Home& home);
   std::size_t home_around(NameKind kind, std::size_t block) const;
+  const NamedBlock* find_block(NameKind kind, const DeckName& definition) const;
   std::vector<std::size_t> homes_of(const NamedKind& reference, std::size_t block, Diagnostics& diagnostics);
   void look_up(const NamedKind& reference, std::size_t block, Diagnostics& diagnostics);
   void mark_used(std::size_t block);

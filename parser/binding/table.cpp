@@ -133,7 +133,7 @@ void bind_block(Binding& binding, const BlockHead& head, const std::function<voi
   const std::size_t n_before = inner.diagnostics.error_count();
   try {
     bind(inner);
-    if (inner.diagnostics.error_count() > n_before && names.is_innermost()) names.drop_errors_of_block();
+    if (inner.diagnostics.error_count() > n_before) names.note_wrong_lines();
   } catch (const ArgumentError& error) {
     names.drop_block();
     report(error, inner);

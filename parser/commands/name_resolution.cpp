@@ -69,8 +69,10 @@ class DefinitionChecks {
   }
 
   void check(const MaterialDefinition& material) {
-    if (!is_of_tractions(material)) check_used_material(material, diagnostics_);
+    const bool is_read = !names_.has_wrong_lines(NameKind::material, material.name);
+    if (is_read && !is_of_tractions(material)) check_used_material(material, diagnostics_);
     for (const MaterialModel& model : material.models) {
+      if (names_.has_wrong_lines(NameKind::model, model.name)) continue;
       if (names_.is_used(NameKind::model, model.name)) check_used_model(material, model, diagnostics_);
     }
   }
