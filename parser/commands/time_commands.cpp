@@ -59,6 +59,20 @@ void add_at(DeckNames& names, const DeckName& block, std::string text, std::stri
                                       std::move(hint), static_cast<int>(block.text.size()));
 }
 
+/// A step that is given must end within its block.
+///   end  of the block [time]
+void check_user_step(const TimeSteppingBlock& block, double end, DeckNames& names) {
+  constexpr double round_off = 1e-9;  // of a step
+  const double duration = end - block.start_time;
+  for (const ExplicitTimeParameters& parameters : block.explicit_parameters) {
+    if (!parameters.user_time_step || !(duration > 0.0)) continue;
+    const double step = *parameters.user_time_step;
+    if (step <= duration * (1.0 + round_off)) continue;
+    add_at(names, block.name,
+           fmt::format("lasts {:.6g}, less than its USER TIME STEP of {:.6g}", duration, step));
+  }
+}
+
 /// Blocks must follow each other in time; one without a start time is told of elsewhere.
 void check(const TimeControl& control, DeckNames& names) {
   const TimeSteppingBlock* last = nullptr;
@@ -70,8 +84,10 @@ void check(const TimeControl& control, DeckNames& names) {
                          last->name.text, last->start_time),
              "blocks follow each other in time");
     }
+    if (last != nullptr) check_user_step(*last, block.start_time, names);
     last = &block;
   }
+  if (last != nullptr) check_user_step(*last, control.termination_time, names);
   for (const TimeSteppingBlock& block : control.time_stepping_blocks) {
     if (!(control.termination_time <= block.start_time)) continue;
     const std::string text = fmt::format("starts at {}, not before the termination time {}", block.start_time,

@@ -74,6 +74,21 @@ TEST_CASE("time stepping blocks follow each other", "[parser][time]") {
       "never run [time-block-unused]\n");
 }
 
+TEST_CASE("a step that the deck gives ends within its time stepping block", "[parser][time]") {
+  const auto with_step = [](const std::string& step) {
+    return with_time_control(
+               "begin time stepping block t1\nstart time = 0\nbegin parameters for presto region r\nuser "
+               "time step "
+               "= " +
+               step +
+               "\nend\nend\nbegin time stepping block t2\nstart time = 0.5\nend\ntermination time = 1\n")
+        .messages;
+  };
+  CHECK(with_step("0.5") == "");
+  CHECK(with_step("0.6") ==
+        "a.i:4:27: error: the time stepping block 't1' lasts 0.5, less than its USER TIME STEP of 0.6\n");
+}
+
 TEST_CASE("time stepping blocks have names of their own", "[parser][time]") {
   CHECK(with_time_control("begin time stepping block t\nstart time = 0\nend\n"
                           "begin time stepping block T\nstart time = 1\nend\n"
