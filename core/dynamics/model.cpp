@@ -11,7 +11,7 @@
 #include "core/elements/block_maker.hpp"
 #include "core/elements/element_table.hpp"
 #include "core/mesh/block_names.hpp"
-#include "core/mesh/hanging_faces.hpp"
+#include "core/mesh/mesh_warnings.hpp"
 
 namespace contactsim {
 
@@ -30,19 +30,6 @@ void add_shares(const ModelBlock& block, const Mesh& mesh, std::span<const Lanes
       sums.col(nodes[i].value).array() +=
           shares.empty() ? element_value / static_cast<double>(nodes.size()) : element_value * shares[i];
   }
-}
-
-/// Midside nodes that one side of a face has alone part from the other side.
-void warn_of_hanging_nodes(const Mesh& mesh, const DeckLocation& location, Diagnostics& diagnostics) {
-  const auto hanging = find_hanging_faces(mesh);
-  if (!hanging) return;
-  diagnostics.add_warning(
-      "midside-nodes", location,
-      fmt::format(
-          "{} faces of six nodes lie on faces that have no or other midside nodes, the first of element "
-          "{} on element {}",
-          hanging->n, mesh.element_id(hanging->first.element()), mesh.element_id(hanging->beside.element())),
-      "those nodes are joined to one side only: mesh both sides alike, or part the bodies and tie them");
 }
 
 }  // namespace
@@ -78,7 +65,7 @@ Model make_model(const SimulationDefinition& definition, const Region& region, c
   for (std::uint32_t i = 0; i < mesh.blocks().size(); ++i) {
     if (mesh.blocks()[i].n_elements > 0) maker.add(i, names[i], model.blocks);
   }
-  warn_of_hanging_nodes(mesh, elements->name.location, diagnostics);
+  warn_of_mesh(mesh, elements->name.location, diagnostics);
   scale_masses({definition, region, {}, mesh, diagnostics}, model.blocks);
   model.mass = lumped_mass(mesh, model.blocks);
   model.inertia = lumped_inertia(mesh, model.blocks);
