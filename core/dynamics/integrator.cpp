@@ -128,7 +128,13 @@ BetweenSteps between_turns(const State& state, double dt_before, double dt_after
     const char* cause = is_massless ? "has no rotations but is turned by a moment" : "turns without bound";
     throw SolveError(state.time, fmt::format("node {} {}", model.mesh->node_id({node}), cause));
   }
-  throw SolveError(state.time, "the energy is not finite");
+  std::uint32_t fastest = 0;
+  for (std::uint32_t node = 1; node < model.mesh->n_nodes(); ++node) {
+    if (state.velocity.col(node).stableNorm() > state.velocity.col(fastest).stableNorm()) fastest = node;
+  }
+  throw SolveError(state.time,
+                   fmt::format("the energy is not finite; node {} is the fastest, at a speed of {:.3g}",
+                               model.mesh->node_id({fastest}), state.velocity.col(fastest).stableNorm()));
 }
 
 /// A run whose steps become this small, next to the first one, would not end: an element that is pressed flat

@@ -4,11 +4,11 @@
 #include <fmt/format.h>
 
 #include <cmath>
-#include <limits>
 
 #include "core/base/names.hpp"
 #include "core/definition/finite_element_model.hpp"
 #include "core/definition/simulation.hpp"
+#include "core/elements/block_checks.hpp"
 #include "core/elements/cohesive_section.hpp"
 #include "core/elements/element_table.hpp"
 #include "core/elements/linear_advice.hpp"
@@ -31,7 +31,7 @@ void BlockMaker::add(std::uint32_t index, std::span<const std::string> names,
   }
   auto block = make(topology(mesh_.blocks()[index].shape).family, index, *parameters);
   if (!block) return;
-  if (block->element->has_material()) check_masses(*block, *parameters);
+  if (block->element->has_material()) check_block(*block, mesh_, parameters->location, diagnostics_);
   const SectionDefinition* section = find_section(definition_, *parameters);
   if (block->properties.law.kind().n_vectors > 0 && !give_directions(*parameters, section, *block)) return;
   block->is_rigid = section != nullptr && section->rigid_body;
@@ -228,34 +228,6 @@ bool BlockMaker::give_directions(const BlockParameters& parameters, const Sectio
             fmt::format("{}: direction 1 of the material is the normal of the shell {}", block_name_, id),
             "turn the coordinate system, or the material in it by ALPHA");
   return false;
-}
-
-/// Elements without a positive volume have no mass and no gradients.
-void BlockMaker::check_masses(const ModelBlock& block, const BlockParameters& parameters) {
-  std::size_t n_bad = 0, first = 0;
-  bool is_finite = true;  // the first bad one
-  for (std::size_t element = 0; element < block.n_elements; ++element) {
-    const auto batch = element / n_lanes;
-    const auto lane = static_cast<Eigen::Index>(element % n_lanes);
-    const bool turns_finitely = block.inertia.empty() || std::isfinite(block.inertia[batch](lane));
-    const double mass = turns_finitely ? block.mass[batch](lane) : std::numeric_limits<double>::infinity();
-    if (mass > 0.0 && std::isfinite(mass)) continue;
-    if (n_bad++ > 0) continue;
-    first = element;
-    is_finite = std::isfinite(mass);
-  }
-  if (n_bad == 0) return;
-  const auto id = mesh_.element_id({block.first_element.value + static_cast<std::uint32_t>(first)});
-  const std::string elements =
-      fmt::format("{}: element {}{}", block_name_, id,
-                  n_bad > 1 ? fmt::format(" and {} more are", n_bad - 1) : std::string(" is"));
-  if (!is_finite)
-    return add_error(parameters.location,
-                     elements + " too heavy to move: mass or inertia is no finite number",
-                     "DENSITY, THICKNESS, AREA or the coordinates are too large");
-  add_error(
-      parameters.location, elements + " without a positive volume",
-      block.element->n_points > 1 ? "at an integration point; mean quadrature asks less of a shape" : "");
 }
 
 }  // namespace contactsim

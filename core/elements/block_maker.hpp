@@ -62,7 +62,6 @@ class BlockMaker {
   void check_options(const SolidSection& solid);
   bool give_directions(const BlockParameters& parameters, const SectionDefinition* section,
                        ModelBlock& block);
-  void check_masses(const ModelBlock& block, const BlockParameters& parameters);
   void add_error(const DeckLocation& location, std::string text, std::string hint);
 
   const SimulationDefinition& definition_;

@@ -107,6 +107,34 @@ TEST_CASE("elements without volume are refused by id", "[core][model]") {
         "block_1: element 10 and 1 more are without a positive volume\n");
 }
 
+TEST_CASE("properties and masses that nothing can be computed with are refused by block", "[core][model]") {
+  const auto errors = [](double density, double modulus, double size) {
+    MeshParts parts = test::MeshBuilder().add_hexes({}).parts();
+    parts.coordinates *= size;
+    SimulationDefinition definition = definition_for("block_1");
+    definition.materials[0].density = density;
+    definition.materials[0].models[0] =
+        test::material_model("elastic", {{"youngs modulus", modulus}, {"poissons ratio", 0.3}});
+    return errors_of(definition, Mesh(std::move(parts)));
+  };
+  CHECK(errors(1e50, 1e50, 1.0).empty());
+  CHECK(errors(1e-50, 1e-50, 1e-20).empty());
+  CHECK(errors(1e-308, 1.0, 1.0) == "block_1: a density of 1e-308 is too small to compute with\n");
+  CHECK_THAT(errors(1.0, 1e308, 1.0),
+             Catch::Contains("block_1: a bulk modulus of 8.33e+307 is too large") &&
+                 Catch::Contains("block_1: a shear modulus of 3.85e+307 is too large"));
+  CHECK(errors(1.0, 1.0, 1e-70) == "block_1: element 1 is too light to compute with: its mass is 1e-210\n");
+  CHECK(errors(1.0, 1.0, 1e70) == "block_1: element 1 is too heavy to move: its mass is 1e+210\n");
+}
+
+TEST_CASE("elements on the nodes of others are warned about by block and id", "[core][model]") {
+  MeshParts parts = test::MeshBuilder().add_hexes({.cells = {2, 1, 1}}).parts();
+  parts.element_ids = {10, 20};
+  std::copy_n(parts.blocks[0].nodes.begin(), 8, parts.blocks[0].nodes.begin() + 8);
+  CHECK(errors_of(definition_for("block_1"), Mesh(std::move(parts))) ==
+        "1 element has the nodes of other elements, element 20 of block_1 those of element 10 of block_1\n");
+}
+
 TEST_CASE("a hexahedron that turns inside out at a point is refused where points are asked for",
           "[core][model]") {
   MeshParts parts = test::MeshBuilder().add_hexes({}).parts();
