@@ -6,6 +6,8 @@
 #include <exception>
 #include <new>
 
+#include "core/base/memory_error.hpp"
+
 namespace contactsim {
 
 ExitCode guard_exit(const std::function<ExitCode()>& work,
@@ -18,6 +20,9 @@ ExitCode guard_exit(const std::function<ExitCode()>& work,
   } catch (const SolveError& error) {
     write_line(fmt::format("error: {}", error.what()));
     return ExitCode::solve;
+  } catch (const MemoryError& error) {
+    write_line(fmt::format("error: {}", error.what()));
+    return ExitCode::file;
   } catch (const std::bad_alloc&) {
     write_line("error: out of memory");
     return ExitCode::file;

@@ -13,6 +13,7 @@
 #include "app/run/start_overlap.hpp"
 #include "contact/mesh/smooth_surfaces.hpp"
 #include "contact/output/surface_summary.hpp"
+#include "core/base/memory_error.hpp"
 #include "core/definition/simulation.hpp"
 #include "core/elements/cohesive_section.hpp"
 
@@ -35,7 +36,7 @@ std::shared_ptr<Mesh> read_and_log_mesh(const DeckWay& way, const Region& region
 /// That of the region's finite element model; one of its own where overlap removal may move nodes.
 std::shared_ptr<Mesh> find_mesh(const DeckWay& way, const Region& region, MeshesByModel& meshes) {
   std::shared_ptr<Mesh>& known = meshes[find_finite_element_model(way.definition, region)];
-  if (!known) known = read_and_log_mesh(way, region);
+  if (!known) known = tell_lack_of_memory("reading the mesh", [&] { return read_and_log_mesh(way, region); });
   const bool may_move = region.contact && region.contact->overlap_removal.is_on();
   return may_move ? std::make_shared<Mesh>(*known) : known;
 }
@@ -87,11 +88,13 @@ PreparedRegion prepare_region(const DeckWay& way, const ChosenRegion& chosen, Me
   PreparedRegion prepared{chosen.procedure, chosen.region, nullptr, {}, {}};
   prepared.mesh = find_mesh(way, prepared.region, meshes);
   way.signals.end_if_stopped();
-  resolve(way, writes_tables, prepared);
+  tell_lack_of_memory("finding the contact surfaces", [&] { resolve(way, writes_tables, prepared); });
   if (prepared.code != ExitCode::done) return prepared;
   way.signals.end_if_stopped();
-  part_overlaps(way, prepared);
-  find_overlaps(way, prepared);
+  tell_lack_of_memory("finding overlaps at the start", [&] {
+    part_overlaps(way, prepared);
+    find_overlaps(way, prepared);
+  });
   return prepared;
 }
 

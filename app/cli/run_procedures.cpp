@@ -14,6 +14,7 @@
 #include "app/reports/run_log.hpp"
 #include "app/run/run_restart.hpp"
 #include "app/run/simulation.hpp"
+#include "core/base/memory_error.hpp"
 
 namespace contactsim {
 
@@ -46,7 +47,7 @@ ExitCode run_steps(Simulation& simulation, StopSignals& signals) {
 
 ExitCode run_to_end(Simulation& simulation, StopSignals& signals, RunSummary& summary) {
   try {
-    const ExitCode code = run_steps(simulation, signals);
+    const ExitCode code = tell_lack_of_memory("running", [&] { return run_steps(simulation, signals); });
     note_run(simulation, summary);
     return code;
   } catch (...) {
@@ -65,7 +66,9 @@ class ProcedureRuns {
     for (std::size_t i = 0; i < regions_.size(); ++i) {
       RunInput input = regions_[i].input(way_.definition);
       if (i > 0) input.earlier = simulations_.back().get();
-      simulations_.push_back(std::make_unique<Simulation>(input, settings(i), way_.warnings));
+      simulations_.push_back(tell_lack_of_memory("setting the run up", [&] {
+        return std::make_unique<Simulation>(input, settings(i), way_.warnings);
+      }));
       way_.signals.end_if_stopped();
     }
   }

@@ -7,10 +7,13 @@
 
 #include <dlfcn.h>
 #include <dmumps_c.h>
+#include <fmt/format.h>
 
 #include <new>
 #include <string>
 #include <vector>
+
+#include "core/base/memory_error.hpp"
 
 namespace contactsim {
 
@@ -83,7 +86,7 @@ class MumpsFactor final : public SparseFactor {
     data_.jcn = columns_.data();
     data_.a = values_.data();
     const bool is_done = run(analyse_and_factorise);
-    if (data_.infog[0] == no_memory) throw std::bad_alloc();
+    if (data_.infog[0] == no_memory) throw MemoryError(fmt::format("factorising {} equations", data_.n));
     return is_done;
   }
 

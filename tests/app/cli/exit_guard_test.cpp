@@ -4,6 +4,7 @@
 #include <new>
 #include <stdexcept>
 
+#include "core/base/memory_error.hpp"
 #include "support/catch.hpp"
 
 using namespace contactsim;
@@ -45,6 +46,13 @@ TEST_CASE("lack of memory ends with code 3, it is no bug", "[app][exit]") {
   const auto [code, written] = guarded([]() -> ExitCode { throw std::bad_alloc(); });
   CHECK(static_cast<int>(code) == 3);
   CHECK(written == "error: out of memory|");
+  const auto reading = guarded([] {
+    return tell_lack_of_memory("reading", [] {
+      return tell_lack_of_memory("reading the mesh a.g", []() -> ExitCode { throw std::bad_alloc(); });
+    });
+  });
+  CHECK(static_cast<int>(reading.code) == 3);
+  CHECK(reading.written == "error: out of memory while reading the mesh a.g|");
 }
 
 TEST_CASE("anything else that is thrown is called a bug of ours and ends with code 1", "[app][exit]") {
