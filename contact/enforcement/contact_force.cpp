@@ -38,6 +38,12 @@ PairRules make_rules(const ContactSetup& setup) {
   return rules;
 }
 
+/// Whether points lie beside the nodes that carry their forces, which have moments about these then.
+bool has_round_parts(const ContactMesh& mesh) {
+  return std::ranges::any_of(mesh.edges, [](const ContactEdge& edge) { return !edge.is_sharp(); }) ||
+         std::ranges::any_of(mesh.surface_nodes, [](const SurfaceNode& node) { return node.radius > 0.0f; });
+}
+
 }  // namespace
 
 ContactForce::ContactForce(const ContactSetup& setup)
@@ -49,9 +55,8 @@ ContactForce::ContactForce(const ContactSetup& setup)
       kinematics_(contact_mesh_),
       mobility_(setup.model),
       detection_(setup_, contact_mesh_, rules_),
-      assembler_(
-          contact_mesh_.n_nodes(), setup.contact.pairs.size(), rules_.has_friction(),
-          std::ranges::any_of(contact_mesh_.edges, [](const ContactEdge& edge) { return !edge.is_sharp(); })),
+      assembler_(contact_mesh_.n_nodes(), setup.contact.pairs.size(), rules_.has_friction(),
+                 has_round_parts(contact_mesh_)),
       offset_moments_(contact_mesh_, kinematics_, assembler_),
       histories_(setup.contact.pairs.size()),
       weighted_gaps_(find_finer_surfaces()),
@@ -182,7 +187,7 @@ ForceReport ContactForce::set_forces(const Motion& motion, Eigen::Matrix3Xd& for
           : ContactStepContext{kinematics_, rules_, constrained_, motion.dt, motion.stable_step, &depths_};
   if (setup_.is_static()) detection_.weigh_gaps(context, weighted_gaps_);
   add_penalty_points(context);
-  if (preload_ && !balances_) begin_preload_forces(context, motion.time);
+  if (preload_forces_.is_to_begin() && !balances_) begin_preload_forces(context, motion.time);
   const double let_go = preload_forces_.work(kinematics_, motion.time, motion.dt);
   preload_forces_.add_to(assembler_, motion.time);
   write_forces(assembler_, offset_moments_, forces);
@@ -252,7 +257,7 @@ std::optional<ForceReport> ContactForce::balance(const State& state, Eigen::Matr
     balance_.add(point, rules_.of(point), thinner_side(point));
   });
   detection_.visit_balanced(context, [&](Tie& tie) { balance_.add(tie); });
-  if (preload_) {
+  if (preload_forces_.is_to_begin()) {
     balance_.spread_pressed();
     begin_preload_forces(context, state.time);
     for (const PreloadForces::Entry& held : preload_forces_.entries())
@@ -262,6 +267,7 @@ std::optional<ForceReport> ContactForce::balance(const State& state, Eigen::Matr
   balance_report_ = balance_.solve(static_cast<int>(setup_.definition.enforcement.balance_iterations));
   for (const ContactPoint& point : balance_.points()) add_to_sums(point);
   add_constraints(context, to_glue);
+  if (preload_forces_.is_settling()) preload_forces_.settle(assembler_);
   if (points_.empty()) {
     balance_.swap_points(points_);
   } else {

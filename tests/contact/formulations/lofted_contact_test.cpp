@@ -242,6 +242,18 @@ TEST_CASE("a particle beside a face touches its edge and its corner", "[contact]
   CHECK(bodies.net_moment().norm() < 1e-12 * bodies.force_size());
 }
 
+TEST_CASE("a particle touches faces where edges have no contact", "[contact][lofted]") {
+  MeshBuilder b;
+  b.add_hexes({.id = 1, .cells = {2, 2, 2}, .origin = {-1, -1, -2}, .size = {2, 2, 2}});
+  add_balls(b, 2, {{0.3, 0.2, 0.4}}, 0.5);
+  ContactBodies bodies(
+      b, general_contact("constraint formulation = node_face\n",
+                         "skin all blocks = on\nbegin surface options\nedge contact = off\nend\n"));
+  bodies.ask();
+  CHECK(bodies.force_on(1).z() > 0.0);
+  CHECK(bodies.net_force().norm() < 1e-12 * bodies.force_size());
+}
+
 TEST_CASE("a ball in a fold, however narrow, touches both walls", "[contact][lofted]") {
   const double angle = GENERATE(10.0, 30.0, 60.0, 100.0) * std::numbers::pi / 360.0;  // from the middle
   constexpr double radius = 0.2, thickness = 0.02, depth = 1e-3;
