@@ -12,6 +12,7 @@
 #include "app/run/run_outputs.hpp"
 #include "app/run/stop_on_errors.hpp"
 #include "contact/interface_laws/refuse_laws.hpp"
+#include "core/base/memory_error.hpp"
 #include "core/definition/simulation.hpp"
 #include "core/dynamics/state_motion.hpp"
 #include "core/interface_laws/interface_law_table.hpp"
@@ -31,13 +32,16 @@ Setup set_up_or_stop(const RunInput& input, Diagnostics& diagnostics) {
     refuse_laws(input.contact->pairs, input.contact->surfaces.surfaces, laws, diagnostics);
   }
   stop_on_errors(diagnostics);
-  Setup setup = set_up(input, diagnostics);
+  const std::string doing = fmt::format("making a model of {} elements", input.mesh.n_elements());
+  Setup setup = tell_lack_of_memory(doing, [&] { return set_up(input, diagnostics); });
   stop_on_errors(diagnostics);
   return setup;
 }
 
 std::unique_ptr<RunContact> make_contact(const RunInput& input, const Model& model) {
-  return input.contact != nullptr ? std::make_unique<RunContact>(input, model) : nullptr;
+  if (input.contact == nullptr) return nullptr;
+  return tell_lack_of_memory("making contact faces and their search",
+                             [&] { return std::make_unique<RunContact>(input, model); });
 }
 
 std::unique_ptr<RunDeath> make_death(const ConditionScope& scope, Setup& setup, const OutputPlan& outputs,
@@ -186,7 +190,10 @@ void Simulation::Parts::take_over() {
 }
 
 void Simulation::Parts::advance() {
-  load_steps ? load_steps->advance() : void(contactsim::advance(setup.model, terms(), setup.control, state));
+  if (load_steps) return load_steps->advance();
+  const bool was_settling = takes_over_contact && contact->force().preload_forces().is_settling();
+  contactsim::advance(setup.model, terms(), setup.control, state);
+  if (was_settling && !contact->force().preload_forces().is_settling()) warn_of_preload();
 }
 
 void Simulation::Parts::let_die() {
@@ -204,7 +211,7 @@ void Simulation::Parts::start_anew() {
     Energies& energies = state.energies;
     energies.start += energies.error - energies.contact;
     energies.error = energies.contact = 0.0;
-    warn_of_preload();
+    if (!contact->force().preload_forces().is_settling()) warn_of_preload();
   }
   if (contact) contact->warn_of_start(diagnostics);
   // The step of rigid bodies alone is a proposal; contact makes its stiffness after it.

@@ -185,13 +185,11 @@ class ContactForce final : public ForceTerm, public StaticContact {
   std::vector<ConstraintForces> constraint_forces_;    // of the step
   IndexedVector<SurfaceIndex, double> surface_rates_;  // scratch
   PairHistories histories_;
-  ContactMultipliers multipliers_;           // of load steps
-  HeldSlips held_slips_;                     // of the last load step
-  WeightedGaps weighted_gaps_;               // of the last trial of a load step
-  ContactStabilization stabilization_;       // of load steps
-  std::unique_ptr<ContactTrial> trial_;      // null before the first load step
-  std::optional<ContactAssembler> preload_;  // at the end of load steps before, until the first forces
-  double preload_until_ = 0.0;               // is let go [time]
+  ContactMultipliers multipliers_;       // of load steps
+  HeldSlips held_slips_;                 // of the last load step
+  WeightedGaps weighted_gaps_;           // of the last trial of a load step
+  ContactStabilization stabilization_;   // of load steps
+  std::unique_ptr<ContactTrial> trial_;  // null before the first load step
   PreloadForces preload_forces_;
   ContactStep step_share_;
   double stored_at_start_ = 0.0;

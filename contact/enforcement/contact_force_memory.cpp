@@ -96,8 +96,7 @@ void ContactForce::take_over(ContactForce& earlier, const Motion& ended, const M
     earlier.begin_trials(ended);
     earlier.try_forces(ended, forces, nullptr);
     balance_.begin_pressed(as_own_points(earlier.trial_->points));
-    preload_ = earlier.trial_->assembler;
-    preload_until_ = until;
+    preload_forces_.take_over(earlier.trial_->assembler, until);
     kinematics_.set_offsets(earlier.kinematics_.offsets());
     constrained_ = earlier.constrained_;
     return detection_.begin_with_ties(earlier.ties());
@@ -123,8 +122,7 @@ void ContactForce::begin_preload_forces(const ContactStepContext& context, doubl
     detection_.detect_constraints(trial, constrained_, held);
   }
   for (const ConstraintForces& one : held) now.add(one.constraint, one.forces);
-  preload_forces_.begin(*preload_, now, time, preload_until_);
-  preload_.reset();
+  preload_forces_.begin(now, time, context.balances);
 }
 
 std::uint64_t ContactForce::surfaces_digest() const {

@@ -3,26 +3,95 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
+#include <utility>
 
 #include "core/base/state_archive.hpp"
 
 namespace contactsim {
 
-void PreloadForces::begin(const ContactAssembler& before, const ContactAssembler& now, double begins,
-                          double ends) {
-  entries_.clear();
-  begins_ = begins;
-  ends_ = ends;
-  const bool has_moments = !before.moments().empty();
-  double held = 0.0, pressed = 0.0;
-  for (std::uint32_t i = 0; i < before.nodes().size(); ++i) {
-    Entry entry{i, (before.nodes()[i] - now.nodes()[i]).head<3>()};
-    if (has_moments) entry.moment = before.moments()[i] - now.moments()[i];
-    held += entry.force.squaredNorm();
-    pressed += before.nodes()[i].head<3>().squaredNorm();
-    if (!entry.force.isZero(0.0) || !entry.moment.isZero(0.0)) entries_.push_back(entry);
+namespace {
+
+using Entry = PreloadForces::Entry;
+
+/// The forces of all contact nodes.
+std::vector<Entry> entries_of(const ContactAssembler& assembler) {
+  std::vector<Entry> entries(assembler.nodes().size());
+  const bool has_moments = !assembler.moments().empty();
+  for (std::uint32_t i = 0; i < entries.size(); ++i) {
+    entries[i] = {i, assembler.nodes()[i].head<3>()};
+    if (has_moments) entries[i].moment = assembler.moments()[i];
   }
-  share_of_before_ = pressed > 0.0 ? std::sqrt(held / pressed) : 0.0;
+  return entries;
+}
+
+double size_of(std::span<const Entry> entries) {
+  double sum = 0.0;
+  for (const Entry& entry : entries) sum += entry.force.squaredNorm();
+  return std::sqrt(sum);
+}
+
+void erase_zeros(std::vector<Entry>& entries) {
+  std::erase_if(entries,
+                [](const Entry& entry) { return entry.force.isZero(0.0) && entry.moment.isZero(0.0); });
+}
+
+}  // namespace
+
+void PreloadForces::take_over(const ContactAssembler& before, double ends) {
+  before_ = entries_of(before);
+  ends_ = ends;
+}
+
+double PreloadForces::find_lack(const ContactAssembler& assembler, std::vector<Entry>& lack) const {
+  lack = entries_of(assembler);
+  for (std::size_t i = 0; i < lack.size(); ++i) {
+    lack[i].force = before_[i].force - lack[i].force;
+    lack[i].moment = before_[i].moment - lack[i].moment;
+  }
+  const double pressed = size_of(before_);
+  return pressed > 0.0 ? size_of(lack) / pressed : 0.0;
+}
+
+void PreloadForces::begin(const ContactAssembler& now, double begins, bool settles) {
+  begins_ = begins;
+  share_of_before_ = find_lack(now, entries_);
+  erase_zeros(entries_);
+  first_ = entries_;
+  n_settled_ = 1;
+  if (!settles) before_.clear();
+}
+
+void PreloadForces::settle(ContactAssembler& assembler) {
+  constexpr int n_tried = 3, most = 6;  // steps before a judgement, and in all
+  constexpr double at_rest = 0.95;      // what is lacking shrinks more slowly
+  std::vector<Entry> lack;
+  const double lacking = find_lack(assembler, lack);
+  const bool shrinks = lacking < at_rest * last_lack_;
+  last_lack_ = lacking;
+  ++n_settled_;
+  if (n_settled_ > n_tried && !shrinks) {
+    // What only grows is no rest: contact begins as it would without.
+    if (n_settled_ == n_tried + 1) entries_ = first_;
+    before_.clear();
+  } else {
+    std::vector<Entry> held(std::move(lack));
+    for (const Entry& entry : held) assembler.add_node(entry.node, entry.force, entry.moment);
+    for (const Entry& entry : entries_) {
+      held[entry.node].force += entry.force;
+      held[entry.node].moment += entry.moment;
+    }
+    entries_ = std::move(held);
+    erase_zeros(entries_);
+  }
+  share_of_before_ =
+      before_.empty() ? share_of_before_ : size_of(entries_) / std::max(size_of(before_), 1e-300);
+  if (n_settled_ > most) before_.clear();
+}
+
+void PreloadForces::clear() {
+  entries_.clear();
+  before_.clear();
 }
 
 double PreloadForces::held(double time) const {
@@ -46,11 +115,13 @@ double PreloadForces::work(const ContactKinematics& kinematics, double time, dou
 }
 
 void PreloadForces::archive(StateArchive& saved) {
-  const char* name = "contact/preload_forces";
-  if (saved.restores() ? !saved.has(name) : entries_.empty()) return;
-  saved.rows(name, entries_,
-             [](Entry& entry, RowNumbers& row) { row(entry.node, entry.force, entry.moment); });
-  saved.numbers("contact/preload_times", begins_, ends_);
+  const std::string name = "contact/preload_forces";
+  if (saved.restores() ? !saved.has(name) : entries_.empty() && before_.empty()) return;
+  const auto visit = [](Entry& entry, RowNumbers& row) { row(entry.node, entry.force, entry.moment); };
+  saved.rows(name, entries_, visit);
+  saved.rows(name + "/before", before_, visit);
+  saved.rows(name + "/first", first_, visit);
+  saved.numbers("contact/preload_times", begins_, ends_, last_lack_, n_settled_);
 }
 
 }  // namespace contactsim
