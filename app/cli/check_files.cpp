@@ -4,11 +4,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <filesystem>
 #include <vector>
 
 #include "app/cli/run_mesh.hpp"
 #include "app/run/deck_files.hpp"
 #include "app/run/file_clashes.hpp"
+#include "io/files/file_links.hpp"
 #include "io/restart/restart_database.hpp"
 
 namespace contactsim {
@@ -71,6 +73,16 @@ std::string find_clash_of_run(const Options& options, const RunDeck& deck) {
       return fmt::format("{} would overwrite a restart state of {}, {}", file.what, *state_of, file.path);
   }
   return "";
+}
+
+void warn_of_files_outside(const Options& options, const RunDeck& deck, Diagnostics& warnings) {
+  for (const DeckFile& file : files_of_deck(options, deck.definition)) {
+    const std::filesystem::path path = std::filesystem::path(file.path).lexically_normal();
+    if (path.empty() || is_device(path) || !(path.is_absolute() || *path.begin() == "..")) continue;
+    warnings.add_warning("output-outside", file.location,
+                         fmt::format("'{}' is outside the folder that the run is started in", file.path),
+                         "-o and other options of the command line name files anywhere");
+  }
 }
 
 }  // namespace contactsim

@@ -13,4 +13,7 @@ namespace contactsim {
 /// command line and by the deck; a state of a restart. "" when all is well.
 std::string find_clash_of_run(const Options& options, const RunDeck& deck);
 
+/// Warns of files that the deck writes outside the folder that the run is started in.
+void warn_of_files_outside(const Options& options, const RunDeck& deck, Diagnostics& warnings);
+
 }  // namespace contactsim

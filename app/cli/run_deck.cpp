@@ -17,6 +17,7 @@
 #include "app/run/start_overlap.hpp"
 #include "app/run/stop_on_errors.hpp"
 #include "core/base/errors.hpp"
+#include "core/base/memory_error.hpp"
 #include "core/definition/simulation.hpp"
 
 namespace contactsim {
@@ -80,13 +81,16 @@ void warn_of_hidden_tables(const Options& options, const std::vector<ChosenRegio
 
 ExitCode run_deck(const Options& options, StopSignals& signals, Log& log, Diagnostics& warnings,
                   RunSummary& summary, ReportDraft& draft) {
-  const RunDeck deck = read_run_deck(
-      {options.deck, options.definitions, options.is_lenient, options.includes_folder}, warnings);
+  const RunDeck deck = tell_lack_of_memory("reading the deck", [&] {
+    return read_run_deck({options.deck, options.definitions, options.is_lenient, options.includes_folder},
+                         warnings);
+  });
   const SimulationDefinition& definition = deck.definition;
   if (const std::string clash = find_clash_of_run(options, deck); !clash.empty()) {
     log.leave_file();
     throw FileError(options.deck, clash);
   }
+  warn_of_files_outside(options, deck, warnings);
   summary.deck_digest = format_digest(deck.digest);
   draft.deck = deck.sources;
   check_procedures(definition, warnings);

@@ -1,17 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "app/reports/log.hpp"
 
-#include <fcntl.h>
-#include <sys/file.h>
-#include <sys/stat.h>
-#include <unistd.h>
-
-#include <cerrno>
 #include <cstdio>
 #include <filesystem>
 
 #include "app/reports/wrap_text.hpp"
 #include "core/base/errors.hpp"
+#include "io/files/file_links.hpp"
 
 namespace contactsim {
 
@@ -19,23 +14,19 @@ namespace {
 
 void write_to(std::FILE* stream, std::string_view text) { std::fwrite(text.data(), 1, text.size(), stream); }
 
+/// The path, where refuse_link_out_of_folder() lets it pass.
+const std::string& own_file(const std::string& path) {
+  refuse_link_out_of_folder(path);
+  return path;
+}
+
 }  // namespace
 
-FileLock::FileLock(const std::string& path)
-    : descriptor_(open(path.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC)) {
-  struct stat found {};
-  if (descriptor_ < 0 || fstat(descriptor_, &found) != 0 || !S_ISREG(found.st_mode)) return;
-  if (flock(descriptor_, LOCK_EX | LOCK_NB) == 0 || errno != EWOULDBLOCK) return;
-  ::close(descriptor_);
-  throw FileError(path, "another run is writing it: its folder is already in use (--log names another file)");
-}
-
-FileLock::~FileLock() {
-  if (descriptor_ >= 0) ::close(descriptor_);
-}
-
 Log::Log(const std::string& path, bool is_quiet)
-    : path_(path), file_(path, std::ios::binary | std::ios::app), lock_(path), is_quiet_(is_quiet) {
+    : path_(own_file(path)),
+      file_(path, std::ios::binary | std::ios::app),
+      lock_(path, "--log names another file"),
+      is_quiet_(is_quiet) {
   if (!file_) throw FileError(path, "the log file cannot be written");
 }
 

@@ -7,23 +7,9 @@
 #include <vector>
 
 #include "core/base/diagnostics.hpp"
+#include "io/files/file_lock.hpp"
 
 namespace contactsim {
-
-/// Keeps a file for this process as long as it lives: others that ask for the same are refused. It goes with
-/// its owner, however that ends, and leaves nothing behind.
-class FileLock {
- public:
-  /// Files that are no regular ones, and file systems without locks, are not kept. Throws FileError when
-  /// another process has the file.
-  explicit FileLock(const std::string& path);
-  ~FileLock();
-  FileLock(const FileLock&) = delete;
-  FileLock& operator=(const FileLock&) = delete;
-
- private:
-  int descriptor_;
-};
 
 /// What the user reads: every text goes to standard output and to the log file, problems to standard error
 /// and to the log file. Lines are wrapped to line_width, but for problems on standard error, which editors

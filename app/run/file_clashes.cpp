@@ -8,27 +8,22 @@
 #include <filesystem>
 #include <vector>
 
+#include "io/files/file_links.hpp"
+
 namespace contactsim {
 
 namespace {
 
 namespace fs = std::filesystem;
 
-bool is_device(const fs::path& path) {
-  std::error_code ignored;
-  const fs::file_status status = fs::status(path, ignored);
-  return fs::exists(status) && !fs::is_regular_file(status) && !fs::is_directory(status);
-}
-
-fs::path whole_path(const fs::path& path) {
-  std::error_code ignored;
-  return fs::weakly_canonical(fs::absolute(path, ignored), ignored);
-}
-
-/// Links are followed; of files that are not there yet the paths count.
+/// Links are followed; of files that are not there yet folder and name count. No path is made absolute, as
+/// that of the working folder may be too long.
 bool is_same_file(const fs::path& one, const fs::path& other) {
   std::error_code ignored;
-  return fs::equivalent(one, other, ignored) || whole_path(one) == whole_path(other);
+  if (fs::equivalent(one, other, ignored)) return true;
+  const fs::path a = follow_links(one), b = follow_links(other);
+  if (a.filename() != b.filename()) return false;
+  return fs::equivalent(folder_of(a), folder_of(b), ignored) || a.lexically_normal() == b.lexically_normal();
 }
 
 }  // namespace
@@ -53,7 +48,7 @@ std::string find_write_obstacle(const std::string& path) {
   if (fs::is_directory(file, ignored)) return "this is a folder, no file can be written there";
   if (fs::exists(file, ignored))
     return access(path.c_str(), W_OK) == 0 ? "" : "the file is there and may not be written";
-  const fs::path folder = file.has_parent_path() ? file.parent_path() : ".";
+  const fs::path folder = folder_of(file);
   if (!fs::is_directory(folder, ignored))
     return fmt::format("there is no folder '{}' to write it to", folder.string());
   return access(folder.c_str(), W_OK) == 0

@@ -9,6 +9,7 @@
 #include "core/base/errors.hpp"
 #include "core/base/version.hpp"
 #include "io/exodus/results_writer.hpp"
+#include "io/files/file_lock.hpp"
 #include "io/files/format_clock.hpp"
 
 namespace contactsim {
@@ -27,15 +28,25 @@ ResultsText make_text(const OutputFileSettings& settings, const std::string& tit
   return text;
 }
 
+/// Keeps a file that has been begun for this run.
+std::shared_ptr<FileLock> lock_output(const std::string& path) {
+  return std::make_shared<FileLock>(path, "the deck or the command line can name another file");
+}
+
+/// Throws FileError when another run writes it.
+void refuse_file_in_use(const std::string& path) { lock_output(path); }
+
 OutputWriters::AppendStep open_results(const OutputFileSettings& settings, const ResultsFile& file,
                                        const Mesh& mesh, std::span<const OutputField> fields) {
   std::error_code ignored;
   if (!file.overwrites && std::filesystem::exists(file.path, ignored))
     throw FileError(file.path, "exists, and the deck says OVERWRITE = OFF");
+  refuse_file_in_use(file.path);
   const auto writer =
       std::make_shared<ResultsWriter>(file.path, mesh, make_text(settings, file.title), fields);
-  return
-      [writer](double time, const OutputWriters::FieldValues& values) { writer->write_step(time, values); };
+  return [writer, lock = lock_output(file.path)](double time, const OutputWriters::FieldValues& values) {
+    writer->write_step(time, values);
+  };
 }
 
 OutputBytes measure_results(const OutputFileSettings& settings, const ResultsFile& file, const Mesh& mesh,
@@ -67,10 +78,13 @@ OutputWriters::AppendLine open_heartbeat(const OutputFileSettings& settings, con
   const bool continues = file.form.appends && std::filesystem::file_size(file.path, ignored) > 0 && !ignored;
   if (file.form.has_units && !style.is_spyhis && !continues) style.units = file.dimensions;
   if (continues && !style.is_spyhis) style.has_legend = false;
-  TextSink sink = file.path.empty() ? settings.log : make_file_sink(file.path, file.form.appends);
+  const bool is_in_log = file.path.empty();
+  if (!is_in_log) refuse_file_in_use(file.path);
+  TextSink sink = is_in_log ? settings.log : make_file_sink(file.path, file.form.appends);
   const auto writer =
       std::make_shared<HeartbeatWriter>(std::move(sink), std::move(style), std::move(names), settings.clock);
-  return [writer](double time, std::span<const double> values) { writer->write(time, values); };
+  return [writer, lock = is_in_log ? nullptr : lock_output(file.path)](
+             double time, std::span<const double> values) { writer->write(time, values); };
 }
 
 }  // namespace

@@ -4,17 +4,19 @@
 #include <filesystem>
 #include <system_error>
 
+#include "io/files/file_links.hpp"
+
 namespace contactsim {
 
 namespace fs = std::filesystem;
 
-OutputPlace::OutputPlace(const std::string& path) : target_(path) {
+OutputPlace::OutputPlace(const std::string& path) : target_(follow_links(path).string()) {
+  refuse_link_out_of_folder(path);
   std::error_code error;
-  const fs::path pointed_to =
-      fs::is_symlink(path, error) ? fs::weakly_canonical(path, error) : fs::path(path);
-  if (!error && !pointed_to.empty()) target_ = pointed_to.string();
-  const bool is_other = fs::is_other(target_, error);
-  unfinished_ = is_other ? target_ : target_ + ".part";
+  const bool writes_as_it_is = is_device(target_);
+  unfinished_ = writes_as_it_is ? target_ : target_ + ".part";
+  // A link in its place would be followed.
+  if (!writes_as_it_is && fs::is_symlink(unfinished_, error)) fs::remove(unfinished_, error);
 }
 
 std::string OutputPlace::commit() const {

@@ -10,6 +10,7 @@ namespace contactsim {
 /// is.
 class OutputPlace {
  public:
+  /// Throws FileError when the path is a link out of its folder.
   explicit OutputPlace(const std::string& path);
 
   /// The path to write to until the file is complete.

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "core/base/errors.hpp"
+#include "io/files/file_links.hpp"
 #include "io/files/format_clock.hpp"
 
 namespace contactsim {
@@ -24,6 +25,7 @@ HeartbeatStyle original_heartbeat_style() {
 }
 
 TextSink make_file_sink(const std::string& path, bool appends) {
+  refuse_link_out_of_folder(path);
   const auto mode = appends ? std::ios::app : std::ios::trunc;
   const auto file = std::make_shared<std::ofstream>(path, std::ios::out | std::ios::binary | mode);
   const auto fail = [path] {

@@ -39,3 +39,25 @@ TEST_CASE("two files that are not there yet clash when they are one", "[app][fil
 TEST_CASE("a device takes any number of files", "[app][files]") {
   CHECK(clash({}, {{"/dev/null", "the log"}, {"/dev/null", "the table"}}) == "");
 }
+
+TEST_CASE("a link to a file that is not there yet is that file", "[app][files]") {
+  const test::TemporaryDirectory directory;
+  std::filesystem::create_symlink("plate.log", directory.file("link"));
+  CHECK(clash({}, {{directory.file("plate.log"), "the log"}, {directory.file("link"), "the table"}}) != "");
+  CHECK(clash({}, {{directory.file("other.log"), "the log"}, {directory.file("link"), "the table"}}) == "");
+}
+
+TEST_CASE("files differ also where the path of the working folder is too long", "[app][files]") {
+  namespace fs = std::filesystem;
+  const test::TemporaryDirectory directory;
+  const fs::path before = fs::current_path();
+  fs::current_path(directory.file(""));
+  const std::string name(200, 'd');
+  for (int depth = 0; depth < 25; ++depth) {
+    fs::create_directory(name);
+    fs::current_path(name);
+  }
+  CHECK(clash({{"plate.i", "the deck"}}, {{"plate.log", "the log"}, {"plate.e", "the results"}}) == "");
+  CHECK(clash({{"plate.i", "the deck"}}, {{"./plate.i", "the log"}}) != "");
+  fs::current_path(before);
+}

@@ -8,6 +8,7 @@
 #include <sstream>
 
 #include "app/reports/log.hpp"
+#include "io/files/file_lock.hpp"
 #include "support/catch.hpp"
 #include "support/exodus_file.hpp"
 #include "support/file_modes.hpp"
@@ -196,6 +197,40 @@ TEST_CASE("a folder in which a run is writing its log is not for another one", "
     CHECK(bar.run({"a.i", "--log", "b.log"}).exit_code == 0);
   }
   CHECK(bar.run({"a.i"}).exit_code == 0);
+}
+
+TEST_CASE("results that another run is writing are left to it, whatever its log is", "[app][restart]") {
+  const FlyingBar bar;
+  bar.write_deck("", "", "1e-4");
+  REQUIRE(bar.run({"a.i", "-o", "a.e"}).exit_code == 0);
+  const std::string before = bar.read("a.e");
+  {
+    const FileLock running(bar.path("a.e"), "");
+    const auto [code, out, err] = bar.run({"a.i", "-o", "a.e", "--log", "b.log"});
+    CHECK(code == 3);
+    CHECK_THAT(err, Contains("a.e: another run is writing it"));
+    CHECK(bar.read("a.e") == before);
+  }
+  CHECK(bar.run({"a.i", "-o", "a.e"}).exit_code == 0);
+}
+
+TEST_CASE("no file is written through a link out of the folder", "[app][files]") {
+  namespace fs = std::filesystem;
+  const FlyingBar bar;
+  bar.write_deck("", "", "1e-4");
+  const contactsim::test::TemporaryDirectory elsewhere;
+  const std::string kept = elsewhere.file("kept");
+  contactsim::test::write_bytes(kept, "mine");
+  for (const std::string name : {"a.log", "out.e", "out.json"}) {
+    fs::create_symlink(kept, bar.path(name));
+    const auto [code, out, err] = bar.run({"a.i", "-o", "out.e", "--summary", "out.json"});
+    INFO(name);
+    CHECK(code == 3);
+    CHECK_THAT(err, Contains(name + ": is a link to '" + kept + "', outside its folder"));
+    fs::remove(bar.path(name));
+  }
+  CHECK(contactsim::test::read_bytes(kept) == "mine");
+  CHECK(bar.run({"a.i", "-o", "out.e", "--summary", "out.json"}).exit_code == 0);
 }
 
 TEST_CASE("overlay and cycle count limit the number of files", "[app][restart]") {

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "io/files/file_lock.hpp"
+
+#include <fcntl.h>
+#include <sys/file.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <utility>
+#include <vector>
+
+#include "core/base/errors.hpp"
+
+namespace contactsim {
+
+namespace {
+
+using FileId = std::pair<dev_t, ino_t>;
+
+/// What this process has: flock() would refuse a second descriptor of it too.
+std::vector<FileId>& files_held() {
+  static std::vector<FileId> files;
+  return files;
+}
+
+FileId id_of(const struct stat& file) { return {file.st_dev, file.st_ino}; }
+
+}  // namespace
+
+FileLock::FileLock(const std::string& path, const std::string& way_out)
+    : descriptor_(open(path.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC)) {
+  struct stat found {};
+  if (descriptor_ < 0) return;
+  const bool is_file = fstat(descriptor_, &found) == 0 && S_ISREG(found.st_mode);
+  if (!is_file || std::ranges::count(files_held(), id_of(found)) > 0) {
+    release();
+    return;
+  }
+  if (flock(descriptor_, LOCK_EX | LOCK_NB) == 0) {
+    files_held().push_back(id_of(found));
+    return;
+  }
+  const bool is_taken = errno == EWOULDBLOCK;
+  release();
+  if (is_taken)
+    throw FileError(path, "another run is writing it: its folder is already in use (" + way_out + ")");
+}
+
+FileLock::~FileLock() {
+  struct stat found {};
+  if (descriptor_ >= 0 && fstat(descriptor_, &found) == 0) std::erase(files_held(), id_of(found));
+  release();
+}
+
+void FileLock::release() {
+  if (descriptor_ >= 0) ::close(std::exchange(descriptor_, -1));
+}
+
+}  // namespace contactsim
