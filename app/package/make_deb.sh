@@ -12,7 +12,7 @@ jobs=${2:-1}
 
 configure() { # <level> <more arguments>
   cmake -S "$source" -B "$folder/$1" -G Ninja -DCMAKE_BUILD_TYPE=Release -DCMAKE_UNITY_BUILD=ON \
-    -DCONTACTSIM_TESTS=OFF -DCONTACTSIM_PYTHON_PACKAGE=ON \
+    -DCONTACTSIM_TESTS=OFF -DCONTACTSIM_PYTHON_PACKAGE=ON -DCONTACTSIM_HARDENED=ON \
     "-DCMAKE_CXX_FLAGS=-march=x86-64-$1 -fno-semantic-interposition" "${@:2}" >"$folder/$1.configure.log"
 }
 

@@ -23,6 +23,15 @@ supported=$(inside /lib64/ld-linux-x86-64.so.2 --help)
 for level in x86-64-v3 x86-64-v4; do
   [[ $supported == *"$level (supported"* ]] && levels+=("$level")
 done
+for program in "$root"/usr/bin/contactsim "$root"/usr/libexec/contactsim/*; do
+  [[ $(readelf -hW "$program") == *"DYN (Position-Independent"* ]] || fail "$program is not position-independent"
+  [[ $(readelf -lW "$program") == *GNU_RELRO* ]] || fail "relocations of $program can be written"
+  [[ $(readelf -dW "$program") == *NOW* ]] || fail "$program binds late"
+done
+for program in "$root"/usr/libexec/contactsim/*; do
+  symbols=$(readelf -sW --dyn-syms "$program")
+  [[ $symbols == *__stack_chk_fail* && $symbols == *_chk@* ]] || fail "stacks or copies of $program are not guarded"
+done
 mkdir "$root/tmp/run"
 cp "$root"/usr/share/contactsim/impact.* "$root/tmp/run"
 for level in "${levels[@]}" ""; do
