@@ -26,7 +26,7 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-constexpr std::uint64_t max_findings = 100;
+constexpr std::uint64_t max_findings = 100, max_kept_of_libraries = 20;
 
 /// What a child tells its parent, in memory of both.
 struct Progress {
@@ -74,6 +74,8 @@ class ForkedCampaign {
   /// Waits for a child; returns why it was ended, "" when it ended by itself.
   std::string await(pid_t child, int& status) const;
   void judge_end(int status, const std::string& why_ended);
+  /// Keeps what ran; the folder.
+  std::string keep(std::uint64_t number, const std::string& text, const std::string& report);
   void tell(std::uint64_t number, const std::string& text, const std::string& report);
   std::string take_report() const;
 
@@ -103,6 +105,9 @@ std::string ForkedCampaign::harm_of(std::uint64_t number) {
 void ForkedCampaign::run_child() {
   dup2(fileno(report_), STDERR_FILENO);
   install_crash_report();
+  // Sanitizers take terabytes of addresses for themselves and have a limit of their own.
+  const rlimit addresses{3 * limits_.bytes, 3 * limits_.bytes};
+  if (!is_sanitized()) setrlimit(RLIMIT_AS, &addresses);
   std::uint64_t allowed = peak_bytes() + limits_.bytes;
   for (std::uint64_t i = 0; i < limits_.cases_per_process && !is_over(); ++i) {
     progress_->is_in_case = true;
@@ -140,9 +145,9 @@ std::string ForkedCampaign::await(pid_t child, int& status) const {
       seconds_before = seconds();
     } else if (used() - used_before > limit || seconds() - seconds_before > idle_limit) {
       kill(child, SIGABRT);  // it says where it is
-      std::this_thread::sleep_for(std::chrono::seconds(2));
-      kill(child, SIGKILL);
-      waitpid(child, &status, 0);
+      for (int i = 0; i < 200 && waitpid(child, &status, WNOHANG) == 0; ++i)
+        std::this_thread::sleep_for(std::chrono::milliseconds(10));
+      if (kill(child, SIGKILL) == 0) waitpid(child, &status, 0);
       return "took more than " + std::to_string(limit) + " s of the processor";
     }
     std::this_thread::sleep_for(std::chrono::milliseconds(5));
@@ -174,22 +179,27 @@ void ForkedCampaign::judge_end(int status, const std::string& why_ended) {
     return;
   }
   if (is_of_file_library(report)) {
-    ++n_of_libraries_;
-    text = "in a library: " + text;
+    if (++n_of_libraries_ <= max_kept_of_libraries) keep(progress_->next, "in a library: " + text, report);
+  } else {
+    tell(progress_->next, text, report);
   }
-  tell(progress_->next, text, report);
   ++progress_->n_done;
   ++progress_->next;
   progress_->is_in_case = false;
 }
 
-void ForkedCampaign::tell(std::uint64_t number, const std::string& text, const std::string& report) {
-  ++progress_->n_findings;
+std::string ForkedCampaign::keep(std::uint64_t number, const std::string& text, const std::string& report) {
   const std::filesystem::path folder =
       options_.keep / ("seed_" + std::to_string(options_.seed) + "_case_" + std::to_string(number));
   std::filesystem::create_directories(folder);
   cases_.keep(number, folder);
   std::ofstream(folder / "finding.txt") << text << '\n' << report;
+  return folder.string();
+}
+
+void ForkedCampaign::tell(std::uint64_t number, const std::string& text, const std::string& report) {
+  ++progress_->n_findings;
+  const std::string folder = keep(number, text, report);
   std::printf("finding, seed %llu case %llu: %s (files in %s)\n",
               static_cast<unsigned long long>(options_.seed), static_cast<unsigned long long>(number),
               text.c_str(), folder.c_str());
@@ -207,10 +217,10 @@ int ForkedCampaign::run() {
     judge_end(status, why_ended);
   }
   const std::string of_libraries =
-      n_of_libraries_ == 0 ? "" : " (" + std::to_string(n_of_libraries_) + " in netCDF or HDF5)";
-  std::printf("campaign %s: %llu cases, %llu findings%s, seed %llu, %.1f s\n", options_.name.c_str(),
-              static_cast<unsigned long long>(progress_->n_done),
-              static_cast<unsigned long long>(progress_->n_findings), of_libraries.c_str(),
+      n_of_libraries_ == 0 ? "" : ", " + std::to_string(n_of_libraries_) + " ends in netCDF or HDF5";
+  std::printf("campaign %s: %llu cases%s, %llu findings, seed %llu, %.1f s\n", options_.name.c_str(),
+              static_cast<unsigned long long>(progress_->n_done), of_libraries.c_str(),
+              static_cast<unsigned long long>(progress_->n_findings),
               static_cast<unsigned long long>(options_.seed), seconds());
   return progress_->n_findings > 0 ? 1 : 0;
 }

@@ -22,7 +22,7 @@ void write_frames(int signal_number) {
   std::array<void*, max_frames> frames{};
   std::array<char, 512> line{};
   const int n = backtrace(frames.data(), max_frames);
-  for (int i = 0; i < n; ++i) {
+  for (int i = 1; i < n; ++i) {  // the first is this handler
     Dl_info info{};
     const bool is_known = dladdr(frames[static_cast<std::size_t>(i)], &info) != 0;
     const int length = std::snprintf(line.data(), line.size(), "    #%d %p in %s (%s)\n", i,

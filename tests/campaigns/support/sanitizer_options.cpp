@@ -3,7 +3,8 @@
 
 // An allocation of more than that is an error, a failed malloc of a library gives it null.
 extern "C" __attribute__((used)) const char* __asan_default_options() {
-  return "allocator_may_return_null=1:max_allocation_size_mb=2048:detect_stack_use_after_return=0:handle_"
+  return "allocator_may_return_null=1:max_allocation_size_mb=2048:hard_rss_limit_mb=4096:detect_stack_use_"
+         "after_return=0:handle_"
          "abort=1";
 }
 
