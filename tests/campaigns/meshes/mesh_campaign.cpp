@@ -44,12 +44,13 @@ class MeshCases : public CampaignCases {
   }
 
  private:
-  /// Half of all cases are whole files of odd content, half are files with odd bytes.
+  /// Two of three cases are whole files of odd content, one is a file with odd bytes.
   void write_case(std::uint64_t number, const std::string& path) const {
     CaseRandom random("meshes", seed_, number);
     NetcdfModel model = random.pick(seeds_);
-    const bool has_odd_bytes = random.once_in(2);
-    const std::size_t n_changes = has_odd_bytes && !random.once_in(4) ? 0 : 1 + random.below(4);
+    const bool has_odd_bytes = random.once_in(3);
+    std::size_t n_changes = random.once_in(2) ? 1 : 1 + random.below(4);
+    if (has_odd_bytes && !random.once_in(4)) n_changes = 0;
     for (std::size_t n = n_changes; n > 0; --n) mutate_model(model, random);
     std::filesystem::remove(path);
     write_netcdf_model(path, model, random.pick(formats));

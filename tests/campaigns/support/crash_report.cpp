@@ -85,7 +85,8 @@ void install_crash_report() {
 std::string headline_of(const std::string& report) {
   std::istringstream lines(report);
   for (std::string line; std::getline(lines, line);) {
-    for (const char* sign : {"ERROR: ", "runtime error: ", "terminate called", "what():", "Assertion"}) {
+    for (const char* sign :
+         {"ERROR: ", "runtime error: ", "terminate called", "what():", "Assertion", "is damaged"}) {
       if (const std::size_t at = line.find(sign); at != line.npos)
         return line.substr(line[at] == 'E' ? at : 0);
     }
@@ -94,6 +95,7 @@ std::string headline_of(const std::string& report) {
 }
 
 bool is_of_file_library(const std::string& report) {
+  if (report.find("library broke down while it was read") != report.npos) return true;
   std::istringstream lines(report);
   for (std::string line; std::getline(lines, line);) {
     if (line.find("    #") != 0 || is_of_runtime(line)) continue;
