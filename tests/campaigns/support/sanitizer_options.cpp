@@ -10,7 +10,8 @@ extern "C" __attribute__((used)) const char* __asan_default_options() {
 
 extern "C" __attribute__((used)) const char* __ubsan_default_options() { return "print_stacktrace=1"; }
 
-// What the libraries of the files lose when they give a damaged one up.
+// What the libraries of the files lose when they give a damaged one up, and what OpenMP keeps for its
+// threads.
 extern "C" __attribute__((used)) const char* __lsan_default_suppressions() {
-  return "leak:libhdf5\nleak:libnetcdf\n";
+  return "leak:libhdf5\nleak:libnetcdf\nleak:libomp\nleak:libgomp\n";
 }
