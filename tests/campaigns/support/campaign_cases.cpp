@@ -34,7 +34,13 @@ struct Progress {
   std::atomic<std::uint64_t> n_done = 0;
   std::atomic<std::uint64_t> n_findings = 0;
   std::atomic<bool> is_in_case = false;
+  std::atomic<bool> is_stopped = false;  ///< by SIGINT or SIGTERM
 };
+
+/// Where handlers of signals find it.
+Progress* shown_progress = nullptr;
+
+void stop_campaign(int) { shown_progress->is_stopped = true; }
 
 std::uint64_t peak_bytes() {
   rusage usage{};
@@ -60,6 +66,8 @@ class ForkedCampaign {
     if (shared == MAP_FAILED) throw std::bad_alloc();
     progress_ = new (shared) Progress;
     progress_->next = options_.first;
+    shown_progress = progress_;
+    for (const int number : {SIGINT, SIGTERM}) std::signal(number, stop_campaign);
     report_ = std::tmpfile();
     if (report_ == nullptr) throw std::bad_alloc();
   }
@@ -89,7 +97,7 @@ class ForkedCampaign {
 };
 
 bool ForkedCampaign::is_over() const {
-  if (progress_->n_findings >= max_findings) return true;
+  if (progress_->n_findings >= max_findings || progress_->is_stopped) return true;
   if (options_.count) return progress_->next >= options_.first + *options_.count;
   return seconds() >= options_.seconds;
 }
