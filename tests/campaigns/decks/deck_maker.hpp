@@ -2,20 +2,12 @@
 #pragma once
 
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include "campaigns/decks/deck_seeds.hpp"
 #include "campaigns/support/case_random.hpp"
 
 namespace contactsim::test {
-
-/// A number of the kind that breaks programs, or a plain one.
-std::string draw_number(CaseRandom& random);
-
-/// What stands for a syntax of the command tables, "{ON|OFF} [<real> ...]": braces choose, brackets may be
-/// left out, names in angles become numbers or names, dots repeat.
-std::string draw_arguments(std::string_view syntax, const DeckSeeds& seeds, CaseRandom& random);
 
 /// The lines that a case begins with, before they are mutated: a seed deck, a part of one with the blocks
 /// around it, lines of several, or lines of the command tables within their blocks.

@@ -6,6 +6,7 @@
 #include <iterator>
 
 #include "campaigns/decks/deck_maker.hpp"
+#include "campaigns/decks/deck_syntax.hpp"
 
 namespace contactsim::test {
 

@@ -33,9 +33,11 @@ void change_anywhere(std::string& bytes, CaseRandom& random) {
     case 1:
       bytes.erase(at, 1 + random.below(64));
       break;
-    case 2:
-      bytes.insert(at, 1 + random.below(64), static_cast<char>(random.below(256)));
+    case 2: {
+      const std::size_t n = 1 + random.below(64);  // before the byte: arguments are evaluated in any order
+      bytes.insert(at, n, static_cast<char>(random.below(256)));
       break;
+    }
     default:
       bytes[at] = static_cast<char>(bytes[at] ^ 1 << random.below(8));
   }

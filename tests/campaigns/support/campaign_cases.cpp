@@ -1,23 +1,20 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "campaigns/support/campaign_cases.hpp"
 
-#include <sys/mman.h>
 #include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include <atomic>
 #include <chrono>
 #include <csignal>
 #include <cstdio>
 #include <cstdlib>
 #include <ctime>
-#include <exception>
 #include <fstream>
 #include <new>
 #include <thread>
-#include <typeinfo>
 
+#include "campaigns/support/campaign_progress.hpp"
 #include "campaigns/support/crash_report.hpp"
 
 namespace contactsim::test {
@@ -28,46 +25,11 @@ using Clock = std::chrono::steady_clock;
 
 constexpr std::uint64_t max_findings = 100, max_kept_of_libraries = 20;
 
-/// What a child tells its parent, in memory of both.
-struct Progress {
-  std::atomic<std::uint64_t> next = 0;  ///< the case that runs or comes next
-  std::atomic<std::uint64_t> n_done = 0;
-  std::atomic<std::uint64_t> n_findings = 0;
-  std::atomic<bool> is_in_case = false;
-  std::atomic<bool> is_stopped = false;  ///< by SIGINT or SIGTERM
-};
-
-/// Where handlers of signals find it.
-Progress* shown_progress = nullptr;
-
-void stop_campaign(int) { shown_progress->is_stopped = true; }
-
-std::uint64_t peak_bytes() {
-  rusage usage{};
-  getrusage(RUSAGE_SELF, &usage);
-  return static_cast<std::uint64_t>(usage.ru_maxrss) * 1024;
-}
-
-std::string describe_exception() {
-  try {
-    throw;
-  } catch (const std::exception& error) {
-    return std::string("threw ") + typeid(error).name() + ": " + error.what();
-  } catch (...) {
-    return "threw something";
-  }
-}
-
 class ForkedCampaign {
  public:
   ForkedCampaign(const CampaignOptions& options, const CaseLimits& limits, CampaignCases& cases)
       : options_(options), limits_(limits), cases_(cases), start_(Clock::now()) {
-    void* shared = mmap(nullptr, sizeof(Progress), PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0);
-    if (shared == MAP_FAILED) throw std::bad_alloc();
-    progress_ = new (shared) Progress;
     progress_->next = options_.first;
-    shown_progress = progress_;
-    for (const int number : {SIGINT, SIGTERM}) std::signal(number, stop_campaign);
     report_ = std::tmpfile();
     if (report_ == nullptr) throw std::bad_alloc();
   }
@@ -91,7 +53,7 @@ class ForkedCampaign {
   const CaseLimits& limits_;
   CampaignCases& cases_;
   Clock::time_point start_;
-  Progress* progress_ = nullptr;
+  Progress* progress_ = make_shared_progress();
   std::FILE* report_ = nullptr;  ///< the standard error of children
   std::uint64_t n_of_libraries_ = 0;
 };
