@@ -11,7 +11,23 @@
 
 namespace contactsim {
 
+namespace {
+
+bool is_control(char c) { return (c >= 0 && c < 0x20) || c == 0x7f; }
+
+/// What a deck says may be quoted in a message, which is one line for a terminal: control characters become
+/// blanks.
+std::string as_one_line(std::string text) {
+  std::replace_if(text.begin(), text.end(), is_control, ' ');
+  return text;
+}
+
+}  // namespace
+
 void Diagnostics::add(Diagnostic diagnostic) {
+  diagnostic.text = as_one_line(std::move(diagnostic.text));
+  diagnostic.hint = as_one_line(std::move(diagnostic.hint));
+  diagnostic.length = std::max(diagnostic.length, 1);
   if (diagnostic.severity == Severity::error) ++n_errors_;
   found_.push_back(std::move(diagnostic));
 }
@@ -135,6 +151,8 @@ std::string caret_picture(const Diagnostic& d) {
   const int room = std::max(1, static_cast<int>(line.size()) - column + 1);
   std::string under;
   for (int i = 0; i + 1 < column; ++i) under += line[static_cast<std::size_t>(i)] == '\t' ? '\t' : ' ';
+  std::replace_if(
+      line.begin(), line.end(), [](char c) { return c != '\t' && is_control(c); }, ' ');
   under += '^';
   under += std::string(static_cast<std::size_t>(std::clamp(d.length, 1, room) - 1), '~');
   return fmt::format("    {}\n    {}\n", line, under);

@@ -16,7 +16,7 @@ struct Diagnostic {
   Severity severity = Severity::error;
   std::string id;         ///< stable name of a warning, such as "surface-empty"; errors may have one
   DeckLocation location;  ///< may be unknown, when no deck line is at fault
-  int length = 1;         ///< characters to underline from the location on
+  int length = 1;         ///< characters to underline from the location on, at least 1
   std::string text;       ///< what is wrong and what was found, no final full stop
   std::string hint;  ///< what to do: the nearest legal word, the place of the other definition; may be ""
 };
@@ -35,6 +35,7 @@ class Diagnostics {
   void add_error(const DeckLocation& location, std::string text, std::string hint = "", int length = 1);
   void add_warning(std::string_view id, const DeckLocation& location, std::string text, std::string hint = "",
                    int length = 1);
+  /// Control characters of text and hint become blanks, a length below 1 becomes 1.
   void add(Diagnostic diagnostic);
   void append(const Diagnostics& other);
 

@@ -21,6 +21,7 @@ std::uint64_t mix(std::uint64_t mixed, std::uint64_t word) {
 void Digest::add_word(std::uint64_t word) { mixed_ = mix(mixed_, word); }
 
 void Digest::add(std::span<const std::byte> bytes) {
+  if (bytes.empty()) return;  // no bytes may be nowhere, which memcpy must not be given
   const std::size_t n_begun = n_bytes_ % word_size;
   n_bytes_ += bytes.size();
   if (n_begun > 0) {

@@ -13,6 +13,7 @@
 #include "io/netcdf/classic_layout.hpp"
 #include "io/netcdf/clean_text.hpp"
 #include "io/netcdf/file_kind.hpp"
+#include "io/netcdf/library_guard.hpp"
 
 namespace contactsim {
 
@@ -58,11 +59,15 @@ NetcdfFile::NetcdfFile(std::string path) : path_(std::move(path)) {
   const FileKind kind = find_file_kind(path_);
   file_size_ = std::filesystem::file_size(path_);
   if (kind == FileKind::classic) check_classic_layout(path_);
+  const LibraryGuard guard(path_);
   const int status = nc_open(path_.c_str(), NC_NOWRITE, &id_);
   if (status != NC_NOERR) fail(fmt::format("{} ({})", call_damage(kind), nc_strerror(status)));
 }
 
-NetcdfFile::~NetcdfFile() { nc_close(id_); }
+NetcdfFile::~NetcdfFile() {
+  const LibraryGuard guard(path_);
+  nc_close(id_);
+}
 
 void NetcdfFile::fail(const std::string& what) const { throw FileError(path_, what); }
 
@@ -71,6 +76,7 @@ void NetcdfFile::check(int status, const std::string& what) const {
 }
 
 std::size_t NetcdfFile::dimension(const std::string& name) const {
+  const LibraryGuard guard(path_);
   int id = 0;
   std::size_t length = 0;
   const int status = nc_inq_dimid(id_, name.c_str(), &id);
@@ -81,6 +87,7 @@ std::size_t NetcdfFile::dimension(const std::string& name) const {
 }
 
 std::optional<NetcdfVariable> NetcdfFile::find_variable(const std::string& name) const {
+  const LibraryGuard guard(path_);
   NetcdfVariable variable;
   variable.name = name;
   const int status = nc_inq_varid(id_, name.c_str(), &variable.id);
@@ -137,6 +144,7 @@ int NetcdfFile::n_groups() const {
 }
 
 std::optional<double> NetcdfFile::find_global_number(const std::string& name) const {
+  const LibraryGuard guard(path_);
   nc_type type = NC_NAT;
   std::size_t length = 0;
   if (nc_inq_att(id_, NC_GLOBAL, name.c_str(), &type, &length) != NC_NOERR) return std::nullopt;
@@ -152,6 +160,7 @@ std::optional<std::string> NetcdfFile::find_global_text(const std::string& name)
 
 std::optional<std::int64_t> NetcdfFile::find_integer(const NetcdfVariable& variable,
                                                      const std::string& attribute) const {
+  const LibraryGuard guard(path_);
   nc_type type = NC_NAT;
   std::size_t length = 0;
   if (nc_inq_att(id_, variable.id, attribute.c_str(), &type, &length) != NC_NOERR) return std::nullopt;
@@ -167,6 +176,7 @@ std::optional<std::string> NetcdfFile::find_text(const NetcdfVariable& variable,
 }
 
 std::optional<std::string> NetcdfFile::find_text_attribute(int variable, const std::string& name) const {
+  const LibraryGuard guard(path_);
   nc_type type = NC_NAT;
   std::size_t length = 0;
   if (nc_inq_att(id_, variable, name.c_str(), &type, &length) != NC_NOERR) return std::nullopt;
@@ -192,6 +202,7 @@ std::size_t NetcdfFile::rows_per_read(const NetcdfVariable& variable) const {
 
 bool NetcdfFile::read_int32(const NetcdfVariable& variable, Rows rows, std::span<std::int32_t> values) const {
   if (values.empty()) return true;
+  const LibraryGuard guard(path_);
   const Part part = make_part(variable, rows);
   assert(values.size() == part.size());
   const int status = nc_get_vara_int(id_, variable.id, part.start.data(), part.count.data(), values.data());
@@ -202,6 +213,7 @@ bool NetcdfFile::read_int32(const NetcdfVariable& variable, Rows rows, std::span
 
 void NetcdfFile::read_double(const NetcdfVariable& variable, Rows rows, std::span<double> values) const {
   if (values.empty()) return;
+  const LibraryGuard guard(path_);
   const Part part = make_part(variable, rows);
   assert(values.size() == part.size());
   check(nc_get_vara_double(id_, variable.id, part.start.data(), part.count.data(), values.data()),
@@ -211,6 +223,7 @@ void NetcdfFile::read_double(const NetcdfVariable& variable, Rows rows, std::spa
 void NetcdfFile::read_int64(const NetcdfVariable& variable, std::span<std::int64_t> values) const {
   assert(values.size() == variable.size());
   if (values.empty()) return;
+  const LibraryGuard guard(path_);
   static_assert(sizeof(long long) == sizeof(std::int64_t));
   check(nc_get_var_longlong(id_, variable.id, reinterpret_cast<long long*>(values.data())),
         "variable " + variable.name);
@@ -219,12 +232,14 @@ void NetcdfFile::read_int64(const NetcdfVariable& variable, std::span<std::int64
 void NetcdfFile::read_double(const NetcdfVariable& variable, std::span<double> values) const {
   assert(values.size() == variable.size());
   if (values.empty()) return;
+  const LibraryGuard guard(path_);
   check(nc_get_var_double(id_, variable.id, values.data()), "variable " + variable.name);
 }
 
 std::vector<std::string> NetcdfFile::read_stored_texts(const NetcdfVariable& variable) const {
   if (!variable.is_text || variable.shape.size() < 2)
     fail("variable " + variable.name + " is not a list of texts");
+  const LibraryGuard guard(path_);
   std::string all(variable.size(), '\0');
   if (!all.empty()) check(nc_get_var_text(id_, variable.id, all.data()), "variable " + variable.name);
   const std::size_t width = variable.shape.back(), n_texts = width > 0 ? variable.size() / width : 0;

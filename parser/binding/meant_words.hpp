@@ -8,6 +8,10 @@
 
 namespace contactsim {
 
+/// Where a line or a block that a block does not know belongs, when an inner block of it knows it: what to do
+/// about it; "" when none does.
+std::string find_inner_place(std::span<const Word> words, bool is_block, const TableText& table);
+
 /// What a line may mean that its block does not know and that is spelled like none: "" when nothing comes to
 /// mind.
 ///   title  of the block

@@ -55,13 +55,14 @@ std::string hint_for_unknown(const std::vector<Word>& words, bool is_block, cons
 
 void report_unknown(const Item& item, const Block& block, const TableText& table, Binding& binding) {
   const auto& words = words_of(item);
+  if (words.empty()) return;  // a BEGIN without a type, which is told of where lines are put into blocks
   const bool is_block = std::holds_alternative<Block>(item.value);
   const std::string hint = hint_for_unknown(words, is_block, block, table);
   const std::size_t n_shown = 4;
   std::string text =
       fmt::format("unknown {} '{}{}' in {}", is_block ? "block" : "command", joined_words(words, n_shown),
                   words.size() > n_shown ? " ..." : "", block_title(block));
-  const DeckLocation& place = words.empty() ? block.location : words.front().location;
+  const DeckLocation& place = words.front().location;
   if (binding.is_lenient) {
     binding.diagnostics.add_warning("deck-unknown", place, text + ", passed over", hint,
                                     underline(words, n_shown));

@@ -82,7 +82,11 @@ std::string PhraseIndex::nearest(std::span<const Word> words) const {
     const std::string known = fmt::format("{}", fmt::join(phrase, " "));
     const auto n = static_cast<std::ptrdiff_t>(std::min(phrase.size(), line.size()));
     const std::string typed = fmt::format("{}", fmt::join(line.begin(), line.begin() + n, " "));
-    const double share = edit_distance(typed, known) / (static_cast<double>(known.size()) + 1.0);
+    // The lengths alone may tell that they are too far apart: words may be as long as a deck.
+    const double room = static_cast<double>(known.size()) + 1.0;
+    const std::size_t gap = std::max(typed.size(), known.size()) - std::min(typed.size(), known.size());
+    if (static_cast<double>(gap) / room > 0.34) continue;
+    const double share = edit_distance(typed, known) / room;
     if (share < smallest && share <= 0.34) {
       smallest = share;
       best = known;

@@ -172,3 +172,9 @@ TEST_CASE("a deck of another program is refused also where the user is lenient",
             "error: a.inp: nothing in this deck is of Sierra/SM; it should have a BEGIN SIERRA") !=
         std::string::npos);
 }
+
+TEST_CASE("a BEGIN without a type is told of once, where it stands", "[parser][deck]") {
+  CHECK(parsed("begin\nend\n").messages == "a.i:1:1: error: BEGIN needs the type of a block\n");
+  CHECK(parsed_sierra("begin # function\nend\n").messages ==
+        "a.i:2:1: error: BEGIN needs the type of a block\n");
+}

@@ -26,6 +26,7 @@ class TemporaryDirectory {
   TemporaryDirectory(const TemporaryDirectory&) = delete;
   TemporaryDirectory& operator=(const TemporaryDirectory&) = delete;
 
+  const std::filesystem::path& path() const { return path_; }
   /// Path of a file in the directory.
   std::string file(const std::string& name) const { return (path_ / name).string(); }
 

@@ -71,3 +71,13 @@ TEST_CASE("a diagnostic without a place comes last and has no prefix", "[core][d
   found.add_error(at(1, 1), "first");
   CHECK(format_machine(found.grouped().back()) == "error: the mesh has no block\n");
 }
+
+TEST_CASE("control characters that a message or a deck line quotes do not reach the terminal",
+          "[core][diagnostics]") {
+  const auto file = std::make_shared<const SourceFile>(SourceFile{"a.i", "bad\x1b[2J\tword\n"});
+  Diagnostics found;
+  found.add_error({file, 1, 9, nullptr}, "unknown word 'a\nb\x1b'", "a\tb", 0);
+  CHECK(found.all().front().length == 1);
+  CHECK(format_with_caret(found.grouped().front(), false) ==
+        "a.i:1:9: error: unknown word 'a b '; a b\n    bad [2J\tword\n           \t^\n");
+}

@@ -36,3 +36,14 @@ TEST_CASE("top bits that flip in two words do not cancel", "[core][digest]") {
   text[7] = text[15] = '\x80';
   CHECK(digest_of(text) != digest_of(std::string(16, '\0')));
 }
+
+TEST_CASE("no bytes, wherever they are, change nothing", "[core][digest]") {
+  Digest digest;
+  const std::uint64_t empty = digest.value();
+  digest.add({});
+  CHECK(digest.value() == empty);
+  digest.add_values(std::span<const char>("abc", 3));
+  const std::uint64_t begun = digest.value();
+  digest.add_values(std::span<const double>());
+  CHECK(digest.value() == begun);
+}

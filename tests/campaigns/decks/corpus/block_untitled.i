@@ -1,0 +1,11 @@
+begin
+end
+begin sierra a
+  begin
+  end
+  begin # function
+    type = analytic
+  end
+  begin ""
+  end ""
+end
