@@ -1,0 +1,131 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""The same scene written another way: another frame, other numbers, other units, more threads."""
+import copy
+
+import numpy as np
+
+from deck import Units, mesh_of
+from draw import random_direction, random_rotation
+
+# Rounding differs, and grows by what contact decides: whether a point touches, sticks, how many passes a step takes
+# (forces end at 1e-4 of their sum). Velocities agree within this share of the fastest, in the median of the nodes.
+FRAME_TOLERANCE = 1e-4
+
+
+class Variant:
+    """A scene, its mesh, and how to bring what the run has back to the first."""
+
+    def __init__(self, name, scene):
+        self.name, self.scene, self.threads, self.order = name, copy.deepcopy(scene), 1, None
+        self.turn, self.boost, self.nodes, self.length, self.speed = np.eye(3), np.zeros(3), None, 1.0, 1.0
+        self.points, self.blocks, self.is_exact = None, None, False
+
+    def finish(self):
+        if self.points is None:
+            self.points, self.blocks = mesh_of(self.scene)
+        return self
+
+    def velocities(self, result):
+        """[frames x nodes x 3] in the frame, order and units of the first."""
+        v = result.vector("velocity") / self.speed
+        v = v if self.nodes is None else v[:, self.nodes]
+        return (v - self.boost) @ self.turn
+
+    def coordinates(self, result):
+        x = result.vector("coordinates") / self.length
+        return x if self.nodes is None else x[:, self.nodes]
+
+
+def moved(rng, scene):
+    """Turned and shifted as a whole."""
+    variant = Variant("frame", scene)
+    turn, shift = random_rotation(rng), rng.uniform(0, 3) * random_direction(rng)
+    for body in variant.scene["bodies"]:
+        body["turn"] = (turn @ np.array(body["turn"])).tolist()
+        body["at"] = (turn @ np.array(body["at"]) + shift).tolist()
+        for key in ("velocity", "spin"):
+            body[key] = (turn @ np.array(body[key])).tolist()
+    if scene["plane"]:
+        plane = variant.scene["plane"]
+        plane["normal"] = (turn @ np.array(plane["normal"])).tolist()
+        plane["origin"] = (turn @ np.array(plane["origin"]) + shift).tolist()
+    variant.turn = turn
+    return variant.finish()
+
+
+def boosted(rng, scene):
+    """With the same velocity added to all; planes stand still, so that scenes with one are only moved."""
+    if scene["plane"]:
+        return moved(rng, scene)
+    variant = Variant("Galilei", scene)
+    boost = scene["speed"] * rng.uniform(0.3, 1) * random_direction(rng)
+    for body in variant.scene["bodies"]:
+        body["velocity"] = (np.array(body["velocity"]) + boost).tolist()
+    variant.boost = boost * Units(scene["units"]).speed
+    return variant.finish()
+
+
+def renumbered(rng, scene):
+    """Nodes, elements and blocks in another order."""
+    variant = Variant("numbers", scene).finish()
+    number = list(range(len(variant.points)))
+    rng.shuffle(number)
+    number = np.array(number)  # of each node in the new mesh
+    points = np.empty_like(variant.points)
+    points[number] = variant.points
+    for block in variant.blocks:
+        rows = list(range(len(block[0])))
+        rng.shuffle(rows)
+        block[0] = number[block[0]][rows]
+    variant.points, variant.nodes = points, number
+    variant.order = list(range(len(variant.blocks)))
+    rng.shuffle(variant.order)
+    return variant
+
+
+def rescaled(rng, scene):
+    """In units of length, mass and time that are powers of two of the first ones: nothing is rounded differently."""
+    variant = Variant("units", scene)
+    units, first = variant.scene["units"], Units(scene["units"])
+    length, mass, time = (2.0 ** rng.randint(-10, 10) for _ in range(3))
+    units["length"] *= length
+    units["density"] *= mass / length**3
+    units["modulus"] *= mass / (length * time**2)
+    units["speed"] = first.speed * length / time
+    variant.length, variant.speed = length, length / time
+    variant.is_exact = True
+    return variant.finish()
+
+
+def threaded(_, scene):
+    """On two threads."""
+    variant = Variant("threads", scene)
+    variant.threads, variant.is_exact = 2, True
+    return variant.finish()
+
+
+VARIANTS = {"frame": moved, "Galilei": boosted, "numbers": renumbered, "units": rescaled, "threads": threaded}
+
+
+def difference(variant, first, second):
+    """The largest difference of velocities in the frames that both have, over the fastest; of exact ones of places too."""
+    a, b = first.vector("velocity"), variant.velocities(second)
+    n = min(len(a), len(b))
+    scale = np.max(np.linalg.norm(a, axis=2))
+    worst = np.max(np.linalg.norm(a[:n] - b[:n], axis=2), axis=1) / scale
+    if variant.is_exact:
+        if not np.array_equal(first.vector("coordinates")[:n], variant.coordinates(second)[:n]):
+            worst = np.maximum(worst, 1e-17)
+    return worst
+
+
+def check_variant(variant, first, second):
+    """The properties that fail, as in properties.py."""
+    if second.code != first.code:
+        return {variant.name: f"ends with exit code {second.code}, the first with {first.code}: {second.error()}"}
+    if len(first.columns["timestep"]) != len(second.columns["timestep"]) and variant.is_exact:
+        return {variant.name: f"takes {len(second.columns['timestep'])} rows, the first {len(first.columns['timestep'])}"}
+    worst = np.max(difference(variant, first, second))
+    if worst > (0.0 if variant.is_exact else FRAME_TOLERANCE):
+        return {variant.name: f"velocities differ by {worst:.2g} of the fastest"}
+    return {}
