@@ -193,7 +193,7 @@ def draw_scene(rng):
     elif rng.random() < 0.06:
         gap = -0.03 * rng.random() * min(_depth(b) for b in bodies)
     place_bodies(rng, bodies, gap, speed)
-    plane = draw_plane(rng, bodies, max(0.0, gap), speed)
+    plane = draw_plane(rng, bodies, max(0.0, gap), speed) if contact["law"] != "tied" else None  # nothing is held to planes
     return {"units": draw_units(rng), "bodies": bodies, "contact": contact, "plane": plane, "time": n_steps * step,
             "step": step, "speed": speed, "gap": gap}
 

@@ -12,10 +12,11 @@ CRUSHED = re.compile("turned inside out|below 1e-4|no volume|time step")
 
 
 class Verdict:
-    """What fails, as {property: text}; `ended` says why a scene could not be judged, else it is empty."""
+    """What fails, and what the program itself tells of, as {property: text}; `ended` says why a scene could not be judged, else
+    it is empty; `difference` is that of the variant."""
 
-    def __init__(self, failed=None, ended="", told=()):
-        self.failed, self.ended, self.told = failed or {}, ended, set(told)
+    def __init__(self, failed=None, ended="", told=None, difference=0.0):
+        self.failed, self.ended, self.told, self.difference = failed or {}, ended, told or {}, difference
 
 
 def _ended(result):
@@ -41,6 +42,8 @@ def evaluate(program, scene, variant_name, seed, folder):
     failed = check_momentum(scene, result) | check_energy(scene, result) | check_through(scene, result)
     variant = VARIANTS[variant_name](random.Random(seed), scene)
     write_scene(second, variant.scene, variant.points, variant.blocks, variant.order)
-    failed |= check_variant(variant, result, run(program, second, variant.threads))
-    told = {name for name in failed if name.endswith(", told")}
-    return Verdict({name: text for name, text in failed.items() if name not in told}, told=told)
+    second_result = run(program, second, variant.threads)
+    of_variant, worst = check_variant(variant, result, second_result)
+    failed |= of_variant
+    told = {name: text for name, text in failed.items() if name.endswith(", told")}
+    return Verdict({n: t for n, t in failed.items() if n not in told}, told=told, difference=worst)

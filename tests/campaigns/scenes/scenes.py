@@ -24,7 +24,7 @@ def add_arguments(parser):
     parser.add_argument("--alike", type=int, default=2, help="scenes made small of each property that fails")
     parser.add_argument("--variant", choices=list(VARIANTS), help="in place of one at random")
     parser.add_argument("--scene", type=pathlib.Path, help="judge this scene.json of a finding, and end")
-    parser.add_argument("--list", action="store_true", help="a line for every scene that is told or could not be judged")
+    parser.add_argument("--list", action="store_true", help="a line for every scene: difference of the variant, what is told")
 
 
 class Judge:
@@ -41,8 +41,9 @@ class Judge:
         self.counts[case["variant"]] += 1
         for name in [verdict.ended] if verdict.ended else [*verdict.failed, *verdict.told]:
             self.counts[name] += 1
-        if self.campaign.arguments.list and (verdict.ended or verdict.told):
-            print(f"case {self.campaign.case}: {verdict.ended or ', '.join(sorted(verdict.told))}", flush=True)
+        if self.campaign.arguments.list:
+            told = "; ".join(f"{n}: {t}" for n, t in verdict.told.items())
+            print(f"case {self.campaign.case} {case['variant']} {verdict.difference:.1e} {verdict.ended} {told}", flush=True)
 
     def report(self, case, verdict):
         """Makes the scene small while its first property fails, and keeps both."""
@@ -84,7 +85,7 @@ def main():
         judge = Judge(campaign, pathlib.Path(folder))
         if campaign.arguments.scene:
             verdict = judge.judge(json.loads(campaign.arguments.scene.read_text()))
-            print(verdict.ended, verdict.failed, sorted(verdict.told))
+            print(verdict.ended, verdict.failed, verdict.told)
             return
         for rng in campaign.cases():
             scene = draw_scene(rng)
