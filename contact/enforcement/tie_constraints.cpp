@@ -32,9 +32,12 @@ TieConstraints::Sides TieConstraints::sides_of(const Tie& tie) const {
   return sides;
 }
 
+/// Points that stand for no area, nodes whose faces lie beside the other side, hold nothing.
 void TieConstraints::add(Tie& tie) {
   const Sides sides = sides_of(tie);
-  for (std::uint32_t p = 0; p < tie.n_points; ++p) add_point(tie, p, sides);
+  for (std::uint32_t p = 0; p < tie.n_points; ++p) {
+    if (tie.points[p].area > 0.0) add_point(tie, p, sides);
+  }
 }
 
 void TieConstraints::add_first_terms(const Tie& tie, const TiePoint& point) {

@@ -23,7 +23,8 @@ def add_arguments(parser):
     parser.add_argument("--shrink", type=float, default=20, help="seconds for each scene that is made small")
     parser.add_argument("--alike", type=int, default=2, help="scenes made small of each property that fails")
     parser.add_argument("--variant", choices=list(VARIANTS), help="in place of one at random")
-    parser.add_argument("--scene", type=pathlib.Path, help="judge this scene.json of a finding, and end")
+    parser.add_argument("--scene", type=pathlib.Path, help="judge this scene.json of a finding, make it small, and end")
+    parser.add_argument("--property", help="that the smaller scene fails too, in place of the first one")
     parser.add_argument("--list", action="store_true", help="a line for every scene: difference of the variant, what is told")
 
 
@@ -47,7 +48,7 @@ class Judge:
 
     def report(self, case, verdict):
         """Makes the scene small while its first property fails, and keeps both."""
-        name = next(iter(verdict.failed))
+        name = self.campaign.arguments.property or next(iter(verdict.failed))
         text = "; ".join(f"{n}: {t}" for n, t in verdict.failed.items())
         if self.shrunk[name] < self.campaign.arguments.alike:
             self.shrunk[name] += 1
@@ -79,14 +80,23 @@ class Judge:
         self.campaign.finding(text, kept)
 
 
+def judge_one(campaign, judge):
+    """The scene of the command line."""
+    case = json.loads(campaign.arguments.scene.read_text())
+    campaign.case, campaign.n_cases = campaign.arguments.scene.resolve().parent.name, 1
+    verdict = judge.judge(case)
+    judge.count(case, verdict)
+    if verdict.failed:
+        judge.report(case, verdict)
+    campaign.end(", ".join([verdict.ended, *verdict.told]))
+
+
 def main():
     campaign = Campaign("scenes", __doc__, add_arguments)
     with scratch_folder() as folder:
         judge = Judge(campaign, pathlib.Path(folder))
         if campaign.arguments.scene:
-            verdict = judge.judge(json.loads(campaign.arguments.scene.read_text()))
-            print(verdict.ended, verdict.failed, verdict.told)
-            return
+            judge_one(campaign, judge)
         for rng in campaign.cases():
             scene = draw_scene(rng)
             case = {"scene": scene, "variant": campaign.arguments.variant or rng.choice(list(VARIANTS)),

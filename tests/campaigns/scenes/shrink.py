@@ -24,7 +24,8 @@ def _fewer_bodies(scene):
 
 def _shorter(scene):
     for share in (0.3, 0.6, 0.85):
-        yield _with(scene, lambda s, f=share: s.update(time=s["time"] * f))
+        if scene["time"] * share > scene["step"]:
+            yield _with(scene, lambda s, f=share: s.update(time=s["time"] * f))
 
 
 def _plainer_contact(scene):
