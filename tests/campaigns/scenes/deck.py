@@ -143,7 +143,8 @@ def _law(contact, units, scale):
     if law == "constant_friction":
         lines = [f"friction coefficient = {contact['friction']!r}"]
     elif law == "pv_dependent":
-        lines = [f"static coefficient = {contact['friction']!r}", f"dynamic coefficient = {0.5 * contact['friction']!r}",
+        lines = [f"static coefficient = {contact['friction'] * stress!r}",
+                 f"dynamic coefficient = {0.5 * contact['friction'] * stress!r}",
                  f"velocity decay = {100 / units.speed!r}", f"reference pressure = {stress!r}"]
     elif law in ("adhesion", "junction"):
         functions = ["begin definition for function pull", "type = piecewise linear", "begin values",

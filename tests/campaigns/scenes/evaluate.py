@@ -24,6 +24,8 @@ def _ended(result):
         return Verdict(ended="refused")
     if result.code == 4 and CRUSHED.search(result.error()):
         return Verdict(ended="crushed")
+    if result.code == 4 and "runs away" in result.error():
+        return Verdict(told={"runs away, told": result.error()})  # contact that makes energy ends the run
     name = {4: "stopped", -1: "endless"}.get(result.code, "crash")
     return Verdict({name: f"exit code {result.code}: {result.error()}"})
 
