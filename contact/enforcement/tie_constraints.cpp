@@ -1,17 +1,21 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "contact/enforcement/tie_constraints.hpp"
 
+#include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <cmath>
 
 namespace contactsim {
 
 namespace {
 
-/// Bound of how much a matrix lengthens vectors, exact for multiples of the identity.
+/// By how much a matrix lengthens vectors at most, the same in every frame.
 double bound_of(const Eigen::Matrix3d& matrix) {
-  const Eigen::Matrix3d sizes = matrix.cwiseAbs();
-  return std::max(sizes.rowwise().sum().maxCoeff(), sizes.colwise().sum().maxCoeff());
+  if (matrix.isDiagonal(0.0)) return matrix.diagonal().cwiseAbs().maxCoeff();
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> squares(matrix.transpose() * matrix,
+                                                               Eigen::EigenvaluesOnly);
+  return std::sqrt(squares.eigenvalues().maxCoeff());
 }
 
 }  // namespace
