@@ -3,7 +3,7 @@
 import random
 import re
 
-from properties import check_energy, check_momentum, check_through
+from properties import begins_with_overlap, check_energy, check_momentum, check_through
 from run import run, write_scene
 from variants import VARIANTS, check_variant
 
@@ -13,10 +13,11 @@ CRUSHED = re.compile("turned inside out|below 1e-4|no volume|time step")
 
 class Verdict:
     """What fails, and what the program itself tells of, as {property: text}; `ended` says why a scene could not be judged, else
-    it is empty; `difference` is that of the variant."""
+    it is empty; `difference` is that of the variant; `overlaps` says whether sides are in each other at the start."""
 
-    def __init__(self, failed=None, ended="", told=None, difference=0.0):
+    def __init__(self, failed=None, ended="", told=None, difference=0.0, overlaps=False):
         self.failed, self.ended, self.told, self.difference = failed or {}, ended, told or {}, difference
+        self.overlaps = overlaps
 
 
 def _ended(result):
@@ -48,4 +49,5 @@ def evaluate(program, scene, variant_name, seed, folder):
     of_variant, worst = check_variant(variant, result, second_result)
     failed |= of_variant
     told = {name: text for name, text in failed.items() if name.endswith(", told")}
-    return Verdict({n: t for n, t in failed.items() if n not in told}, told=told, difference=worst)
+    return Verdict({n: t for n, t in failed.items() if n not in told}, told=told, difference=worst,
+                   overlaps=begins_with_overlap(result))

@@ -10,9 +10,13 @@ TET10_TETS = [(0, 4, 6, 7), (4, 1, 5, 8), (6, 5, 2, 9), (7, 8, 9, 3), (4, 5, 6, 
 
 
 class Hull:
-    """What a body is made of, by its nodes: tetrahedra, triangles of the skin, edges, nodes of the skin."""
+    """What a body is made of, by its nodes: tetrahedra, faces and triangles of the skin, edges, nodes of the skin.
+
+    Corners of a quadrilateral need not lie in a plane: `skin` makes four triangles of it about its middle.
+    """
 
     def __init__(self, cells, kind):
+        self.faces = np.zeros((0, 3), int)
         cells = np.asarray(cells)
         self.kind, self.nodes = kind, np.unique(cells)
         self.tets, self.triangles, self.edges = np.zeros((0, 4), int), np.zeros((0, 3), int), np.zeros((0, 2), int)
@@ -21,6 +25,7 @@ class Hull:
         elif kind in ("SHELL4", "SHELL3"):
             parts = [(0, 1, 2), (0, 2, 3)] if kind == "SHELL4" else [(0, 1, 2)]
             self.triangles = np.concatenate([cells[:, p] for p in parts])
+            self.faces = cells
         elif kind == "BEAM2":
             self.edges = cells
         if len(self.triangles):
@@ -35,8 +40,25 @@ class Hull:
         if kind == "TETRA10":
             faces = np.concatenate([self.tets[:, f] for f in TET_FACES])
         _, first, count = np.unique(np.sort(faces, axis=1), axis=0, return_index=True, return_counts=True)
-        skin = faces[first[count == 1]]
+        self.faces = skin = faces[first[count == 1]]
         self.triangles = np.concatenate([skin[:, p] for p in [(0, 1, 2), (0, 2, 3)]]) if skin.shape[1] == 4 else skin
+
+    def skin(self, x):
+        """Corners [3 x n x 3] of triangles of the skin, of which the first two are an edge of a face when it has four."""
+        if self.faces.shape[1] == 3:
+            return [x[self.faces[:, i]] for i in range(3)]
+        middle = np.mean(x[self.faces], axis=1)
+        edges = [(0, 1), (1, 2), (2, 3), (3, 0)]
+        return [np.concatenate([x[self.faces[:, e[i]]] for e in edges]) for i in (0, 1)] + [np.tile(middle, (4, 1))]
+
+    def rim_faces(self):
+        """Of each triangle of the skin, whether its first two corners are an edge of one face alone; of triangular faces
+        whether any edge is."""
+        n = self.faces.shape[1]
+        pairs = np.concatenate([self.faces[:, (i, (i + 1) % n)] for i in range(n)])
+        _, back, count = np.unique(np.sort(pairs, axis=1), axis=0, return_inverse=True, return_counts=True)
+        is_rim = count[back.ravel()] == 1
+        return np.any(is_rim.reshape(3, -1), axis=0) if n == 3 else is_rim
 
 
 def inside(points, corners):
@@ -81,9 +103,12 @@ def depth_inside(points, hull, x):
     depths = np.zeros(len(points))
     if len(hull.tets) == 0:
         return depths
-    a, b, c = (x[hull.triangles[:, i]] for i in range(3))
+    a, b, c = hull.skin(x)
     for n in np.flatnonzero(inside(points, x[hull.tets])):
-        depths[n] = closest_on_triangles(points[n], a, b, c)[0]
+        distance, m, weights = closest_on_triangles(points[n], a, b, c)
+        normal = np.cross(b[m] - a[m], c[m] - a[m])
+        spot = weights @ np.array([a[m], b[m], c[m]])
+        depths[n] = distance if (points[n] - spot) @ normal <= 0 else 0.0
     return depths
 
 

@@ -113,9 +113,13 @@ def _energy_tolerance(scene):
     return ENERGY_TOLERANCE_OF_SPRINGS if has_springs or scene["speed"] > FAST * slowest else ENERGY_TOLERANCE
 
 
+def begins_with_overlap(result):
+    return np.max(result.columns["penetration"][:2]) > 0 or "overlap-at-start" in result.warnings()
+
+
 def _put_in(result):
     """What overlaps of the start hold, by the program's balance; nothing where no side is in another at the start."""
-    if np.max(result.columns["penetration"][:2]) == 0 and "overlap-at-start" not in result.warnings():
+    if not begins_with_overlap(result):
         return 0.0
     found = re.search(r"put in by the start, overlaps\s+(\S+)", (result.folder / "scene.log").read_text())
     return float(found.group(1)) if found else 0.0
@@ -128,6 +132,7 @@ class Body:
         self.name, self.shape, self.hull = f"body_{number + 1}", body["shape"], Hull(block[0], block[1])
         self.half = half_thickness(body) * units.length
         self.is_shell, self.is_line = body["shape"] in SHELLS, body["shape"] in LINES
+        self.at_rim = self.hull.rim_faces() if self.is_shell else None
         self.cells = block[0]
 
     def size(self, x):
@@ -168,7 +173,9 @@ def check_through(scene, result):
                 failed["through, told" if is_told else "through"] = (
                     f"a node of {one.name} ({one.shape}) is {depth / size:.2g} of the thinner side deep in {two.name} ({two.shape})")
             if two.is_shell and _changes_side(one, two, x):
-                failed["sides"] = f"a node of {one.name} ({one.shape}) passes through the sheet {two.name}"
+                is_told = told.get(frozenset((one.name, two.name)), 0.0) > TOLD_SHARE * 2 * two.half
+                failed["sides, told" if is_told else "sides"] = (
+                    f"a node of {one.name} ({one.shape}) passes through the sheet {two.name}")
     return failed
 
 
@@ -176,11 +183,12 @@ def _deepest(one, two, x):
     return max(depth_inside(frame[one.hull.nodes], two.hull, frame).max(initial=0.0) for frame in x[1:])
 
 
-def _side(point, hull, x, reach):
+def _side(point, sheet, x, reach):
     """On which side of a sheet a point lies right before its inside: -1 or 1, and 0 where that is not plain."""
-    corners = [x[hull.triangles[:, i]] for i in range(3)]
+    corners = sheet.hull.skin(x)
     distance, m, weights = closest_on_triangles(point, *corners)
-    if distance > reach or np.min(weights) < 1e-6:
+    near_rim = 0.1  # of the way from the rim to the middle of a face
+    if distance > reach or (sheet.at_rim[m] and weights[2] < near_rim) or np.max(weights) > 1 - 1e-6:
         return 0
     normal = np.cross(corners[1][m] - corners[0][m], corners[2][m] - corners[0][m])
     return int(np.sign((point - corners[0][m]) @ normal))
@@ -196,7 +204,7 @@ def _changes_side(one, sheet, x):
         low, high = corners[frame].min(axis=0) - reach, corners[frame].max(axis=0) + reach
         spots = x[frame][one.hull.nodes]
         for node in one.hull.nodes[np.all((spots > low) & (spots < high), axis=1)]:
-            now = _side(x[frame][node], sheet.hull, x[frame], reach)
-            if now and now * _side(x[frame - 1][node], sheet.hull, x[frame - 1], reach) < 0:
+            now = _side(x[frame][node], sheet, x[frame], reach)
+            if now and now * _side(x[frame - 1][node], sheet, x[frame - 1], reach) < 0:
                 return True
     return False

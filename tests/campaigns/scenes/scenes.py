@@ -54,7 +54,8 @@ class Judge:
             self.shrunk[name] += 1
 
             def fails(scene):
-                return name in self.judge(case | {"scene": scene}).failed
+                smaller = self.judge(case | {"scene": scene})
+                return name in smaller.failed and smaller.overlaps <= verdict.overlaps
             small, n_tried = shrink(case["scene"], fails, self.campaign.arguments.shrink)
             text += f" (made small in {n_tried} runs)"
             self._keep(case, case | {"scene": small}, text)
