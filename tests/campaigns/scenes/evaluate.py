@@ -48,6 +48,6 @@ def evaluate(program, scene, variant_name, seed, folder):
     second_result = run(program, second, variant.threads)
     of_variant, worst = check_variant(variant, result, second_result)
     failed |= of_variant
-    told = {name: text for name, text in failed.items() if name.endswith(", told")}
+    told = {name: text for name, text in failed.items() if name.endswith((", told", ", known"))}
     return Verdict({n: t for n, t in failed.items() if n not in told}, told=told, difference=worst,
                    overlaps=begins_with_overlap(result))

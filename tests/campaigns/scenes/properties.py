@@ -162,6 +162,7 @@ def told_depths(result):
 def check_through(scene, result):
     """No node below the skin of another body, no node on the other side of a sheet, no rod across another."""
     bodies, x, told, failed = bodies_of(scene), result.vector("coordinates"), told_depths(result), {}
+    is_untied = scene["contact"]["law"] == "tied" and result.warnings() & {"tie-empty", "tie-partial"}
     for one in bodies:
         for two in bodies:
             if one is two:
@@ -169,11 +170,11 @@ def check_through(scene, result):
             depth, size = _deepest(one, two, x), min(one.size(x[0]), two.size(x[0]))
             start = depth_inside(x[0][one.hull.nodes], two.hull, x[0]).max(initial=0.0)
             if depth - start > DEPTH_TOLERANCE * size:
-                is_told = told.get(frozenset((one.name, two.name)), 0.0) > TOLD_SHARE * depth
+                is_told = is_untied or told.get(frozenset((one.name, two.name)), 0.0) > TOLD_SHARE * depth
                 failed["through, told" if is_told else "through"] = (
                     f"a node of {one.name} ({one.shape}) is {depth / size:.2g} of the thinner side deep in {two.name} ({two.shape})")
             if two.is_shell and _changes_side(one, two, x):
-                is_told = told.get(frozenset((one.name, two.name)), 0.0) > TOLD_SHARE * 2 * two.half
+                is_told = is_untied or told.get(frozenset((one.name, two.name)), 0.0) > TOLD_SHARE * 2 * two.half
                 failed["sides, told" if is_told else "sides"] = (
                     f"a node of {one.name} ({one.shape}) passes through the sheet {two.name}")
     return failed
@@ -188,7 +189,8 @@ def _side(point, sheet, x, reach):
     corners = sheet.hull.skin(x)
     distance, m, weights = closest_on_triangles(point, *corners)
     near_rim = 0.1  # of the way from the rim to the middle of a face
-    if distance > reach or (sheet.at_rim[m] and weights[2] < near_rim) or np.max(weights) > 1 - 1e-6:
+    from_rim = weights[2] if sheet.hull.faces.shape[1] == 4 else np.min(weights)
+    if distance > reach or (sheet.at_rim[m] and from_rim < near_rim) or np.max(weights) > 1 - 1e-6:
         return 0
     normal = np.cross(corners[1][m] - corners[0][m], corners[2][m] - corners[0][m])
     return int(np.sign((point - corners[0][m]) @ normal))

@@ -5,6 +5,7 @@ import collections
 import json
 import os
 import pathlib
+import re
 import shutil
 import sys
 
@@ -26,6 +27,16 @@ def add_arguments(parser):
     parser.add_argument("--scene", type=pathlib.Path, help="judge this scene.json of a finding, make it small, and end")
     parser.add_argument("--property", help="that the smaller scene fails too, in place of the first one")
     parser.add_argument("--list", action="store_true", help="a line for every scene: difference of the variant, what is told")
+
+
+# What a smaller scene must have left of the amount by which a property fails: it is to show the same, not what just fails.
+LEFT_OVER = 0.3
+
+
+def amount(text):
+    """The first number that the text of a failure tells, 1 without any."""
+    found = re.search(r"(?:by|is|out|reaches) ([0-9.]+(?:e[-+]?[0-9]+)?)", text)
+    return float(found.group(1)) if found else 1.0
 
 
 class Judge:
@@ -55,7 +66,8 @@ class Judge:
 
             def fails(scene):
                 smaller = self.judge(case | {"scene": scene})
-                return name in smaller.failed and smaller.overlaps <= verdict.overlaps
+                return (name in smaller.failed and smaller.overlaps <= verdict.overlaps
+                        and amount(smaller.failed[name]) >= LEFT_OVER * amount(verdict.failed[name]))
             small, n_tried = shrink(case["scene"], fails, self.campaign.arguments.shrink)
             text += f" (made small in {n_tried} runs)"
             self._keep(case, case | {"scene": small}, text)

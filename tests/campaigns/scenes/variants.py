@@ -128,6 +128,13 @@ def difference(variant, first, second):
     return worst
 
 
+def depends_on_order(variant):
+    """A new pair of faces takes over what momentum balance knows of its first face (ContactHistory::recall), so that what
+    passes have left depends on which side is the first."""
+    contact = variant.scene["contact"]
+    return variant.name == "blocks" and contact["enforcement"] == "" and contact["formulation"] != "node_face"
+
+
 def tolerance(variant):
     if not variant.is_exact:
         return FRAME_TOLERANCE
@@ -143,6 +150,8 @@ def check_variant(variant, first, second):
     if n_first != n_second and variant.is_exact:
         return {variant.name: f"takes {n_second} rows, the first {n_first}"}, np.inf
     worst = np.max(difference(variant, first, second))
+    if worst > tolerance(variant) and depends_on_order(variant):
+        return {f"{variant.name}, known": f"velocities differ by {worst:.2g} of the fastest"}, worst
     if worst > tolerance(variant):
         return {variant.name: f"velocities differ by {worst:.2g} of the fastest"}, worst
     return {}, worst
