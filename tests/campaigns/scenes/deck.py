@@ -169,11 +169,11 @@ def _contact(scene, units):
     common = ["friction model = law"] if contact["law"] else []
     common += [f"constraint formulation = {contact['formulation']}"] if contact["formulation"] else []
     common += [f"contact damping fraction = {contact['damping']!r}"] if contact["damping"] else []
-    if contact["scope"] != "pairs":
+    if contact["scope"] in ("general", "self"):
         common.append("general contact = on")
     if contact["scope"] == "self":
         common.append("self contact = on")
-    lines += ["begin interaction defaults", *common, "end"] if contact["scope"] != "none" else []
+    lines += ["begin interaction defaults", *common, "end"]
     if contact["scope"] == "pairs":
         names = [name_of(n) for n in range(len(scene["bodies"]))] + (["ground"] if scene["plane"] else [])
         lines += ["begin interaction", f"surfaces = {' '.join(names)}", "end"]
@@ -210,6 +210,5 @@ def deck_of(scene, n_steps):
     if scene["plane"]:
         lines += ["begin analytic object ground_plane", "type = plane", f"normal direction = {vector(scene['plane']['normal'])}",
                   f"origin = {vector(np.array(scene['plane']['origin']) * units.length)}", "end"]
-    lines += [*(_contact(scene, units) if scene["contact"]["scope"] != "none" else []), *_outputs(n_steps), "end", "end",
-              "end sierra"]
+    lines += [*_contact(scene, units), *_outputs(n_steps), "end", "end", "end sierra"]
     return lines

@@ -28,7 +28,7 @@ PULLING_LAWS = ("adhesion", "junction")
 TOLD_SHARE = 0.5
 
 
-def _momentum_scale(result):
+def momentum_scale(result):
     """The largest sums of |m v| and |m v| |x| over the frames."""
     mass, v, x = result.frames["mass"], result.vector("velocity"), result.vector("coordinates")
     moved = mass * np.linalg.norm(v, axis=2)
@@ -57,7 +57,7 @@ def check_momentum(scene, result):
     if scene["plane"]:
         return {}
     failed = {}
-    linear, angular = _momentum_scale(result)
+    linear, angular = momentum_scale(result)
     if linear == 0:
         return {}
     drift = np.max(np.linalg.norm(result.single("momentum") - result.single("momentum")[0], axis=1))
