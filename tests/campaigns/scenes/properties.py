@@ -173,11 +173,16 @@ def check_through(scene, result):
                 is_told = is_untied or told.get(frozenset((one.name, two.name)), 0.0) > TOLD_SHARE * depth
                 failed["through, told" if is_told else "through"] = (
                     f"a node of {one.name} ({one.shape}) is {depth / size:.2g} of the thinner side deep in {two.name} ({two.shape})")
-            if two.is_shell and _changes_side(one, two, x):
+            if _has_sides(scene, two) and _changes_side(one, two, x):
                 is_told = is_untied or told.get(frozenset((one.name, two.name)), 0.0) > TOLD_SHARE * 2 * two.half
                 failed["sides, told" if is_told else "sides"] = (
                     f"a node of {one.name} ({one.shape}) passes through the sheet {two.name}")
     return failed
+
+
+def _has_sides(scene, body):
+    """Legs of a fold go through each other where the deck has no self contact: then a fold has no sides."""
+    return body.shape == "sheet" or (body.shape == "fold" and scene["contact"]["scope"] == "self")
 
 
 def _deepest(one, two, x):
