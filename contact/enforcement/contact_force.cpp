@@ -26,6 +26,13 @@ std::vector<ActiveTimes> active_times(const ContactSetup& setup) {
   return times;
 }
 
+/// Whether there are rods or particles, whose surface is beside their nodes: as edges, or by EDGE CONTACT =
+/// OFF as nodes alone.
+bool has_round_bodies(const ContactMesh& mesh) {
+  return std::ranges::any_of(mesh.edges, [](const ContactEdge& edge) { return !edge.is_sharp(); }) ||
+         std::ranges::any_of(mesh.surface_nodes, [](const SurfaceNode& node) { return node.radius > 0.0f; });
+}
+
 /// The pairs with their friction models. That these are right has been checked before.
 PairRules make_rules(const ContactSetup& setup) {
   PairRules rules(setup.contact.pairs, active_times(setup), setup.contact.surfaces.surfaces.size());
@@ -36,12 +43,6 @@ PairRules make_rules(const ContactSetup& setup) {
   if (problems.has_errors()) throw DeckError(problems);
   rules.set_laws(std::move(laws));
   return rules;
-}
-
-/// Whether points lie beside the nodes that carry their forces, which have moments about these then.
-bool has_round_parts(const ContactMesh& mesh) {
-  return std::ranges::any_of(mesh.edges, [](const ContactEdge& edge) { return !edge.is_sharp(); }) ||
-         std::ranges::any_of(mesh.surface_nodes, [](const SurfaceNode& node) { return node.radius > 0.0f; });
 }
 
 }  // namespace
@@ -56,7 +57,7 @@ ContactForce::ContactForce(const ContactSetup& setup)
       mobility_(setup.model),
       detection_(setup_, contact_mesh_, rules_),
       assembler_(contact_mesh_.n_nodes(), setup.contact.pairs.size(), rules_.has_friction(),
-                 has_round_parts(contact_mesh_)),
+                 has_round_bodies(contact_mesh_)),
       offset_moments_(contact_mesh_, kinematics_, assembler_),
       histories_(setup.contact.pairs.size()),
       weighted_gaps_(find_finer_surfaces()),

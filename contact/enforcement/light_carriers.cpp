@@ -125,8 +125,17 @@ void LightCarriers::precondition() {
   }
   for (std::size_t i = 0; i < mobility_.size(); ++i) {
     const RigidMatrix& free = free_[i];
-    const RigidMatrix own = mass_[i] + free * preconditioner_[i] * free + (RigidMatrix::Identity() - free);
-    preconditioner_[i] = free * own.ldlt().solve(free);
+    RigidMatrix own = mass_[i] + free * preconditioner_[i] * free;
+    // Masses and inertias as numbers without units: what is held is as stiff as what is free, and pivots are
+    // the same.
+    const double move = own.topLeftCorner<3, 3>().trace(), turn = own.bottomRightCorner<3, 3>().trace();
+    RigidVector scale;
+    scale.head<3>().setConstant(move > 0.0 ? 1.0 / std::sqrt(move) : 1.0);
+    scale.tail<3>().setConstant(turn > 0.0 ? 1.0 / std::sqrt(turn) : 1.0);
+    own = scale.asDiagonal() * own * scale.asDiagonal();
+    own += RigidMatrix::Identity() - free;
+    const RigidMatrix scaled = scale.asDiagonal() * free;
+    preconditioner_[i] = scaled * own.ldlt().solve(scaled);
   }
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "contact/enforcement/node_mobility.hpp"
 
+#include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
@@ -13,10 +14,11 @@ namespace contactsim {
 
 namespace {
 
-/// Bound of the largest eigenvalue of a symmetric matrix without negative ones: the smaller one of the trace,
-/// which is the sum of all, and of Gershgorin's, the largest sum of absolute values of a row.
+/// The largest eigenvalue of a symmetric matrix without negative ones, the same in every frame.
 double largest_stretch(const Eigen::Matrix3d& symmetric) {
-  return std::min(symmetric.trace(), symmetric.cwiseAbs().rowwise().sum().maxCoeff());
+  return Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(symmetric, Eigen::EigenvaluesOnly)
+      .eigenvalues()
+      .maxCoeff();
 }
 
 bool is_positive(double mass) { return mass > minimum_nodal_mass; }

@@ -1,17 +1,21 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "contact/enforcement/tie_constraints.hpp"
 
+#include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <cmath>
 
 namespace contactsim {
 
 namespace {
 
-/// Bound of how much a matrix lengthens vectors, exact for multiples of the identity.
+/// By how much a matrix lengthens vectors at most, the same in every frame.
 double bound_of(const Eigen::Matrix3d& matrix) {
-  const Eigen::Matrix3d sizes = matrix.cwiseAbs();
-  return std::max(sizes.rowwise().sum().maxCoeff(), sizes.colwise().sum().maxCoeff());
+  if (matrix.isDiagonal(0.0)) return matrix.diagonal().cwiseAbs().maxCoeff();
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> squares(matrix.transpose() * matrix,
+                                                               Eigen::EigenvaluesOnly);
+  return std::sqrt(squares.eigenvalues().maxCoeff());
 }
 
 }  // namespace
@@ -32,9 +36,12 @@ TieConstraints::Sides TieConstraints::sides_of(const Tie& tie) const {
   return sides;
 }
 
+/// Points that stand for no area, nodes whose faces lie beside the other side, hold nothing.
 void TieConstraints::add(Tie& tie) {
   const Sides sides = sides_of(tie);
-  for (std::uint32_t p = 0; p < tie.n_points; ++p) add_point(tie, p, sides);
+  for (std::uint32_t p = 0; p < tie.n_points; ++p) {
+    if (tie.points[p].area > 0.0) add_point(tie, p, sides);
+  }
 }
 
 void TieConstraints::add_first_terms(const Tie& tie, const TiePoint& point) {

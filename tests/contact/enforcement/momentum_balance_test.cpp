@@ -63,6 +63,20 @@ const std::string rough =
 
 }  // namespace
 
+TEST_CASE("a node that is tied and whose faces lie beside the other side has forces all the same",
+          "[contact][enforcement]") {
+  MeshBuilder b;
+  b.add_hexes({.id = 1, .cells = {8, 8, 1}});
+  b.add_hexes({.id = 2, .origin = {0.6, 0.95, 1.0}, .share_nodes = false});
+  ClosingBlocks blocks(b, node_face + "friction model = tied\n");
+  const Eigen::Matrix3Xd at_rest = blocks.forces_at({0, 0, 0});
+  CHECK(at_rest.allFinite());
+  CHECK(at_rest.isZero(0.0));
+  const Eigen::Matrix3Xd pulled = blocks.forces_at({0, 0, 1});
+  CHECK(pulled.allFinite());
+  CHECK(pulled.row(2).tail(8).sum() < 0.0);
+}
+
 TEST_CASE("momentum balance closes the gap and no more, alike on both sides", "[contact][enforcement]") {
   const std::string formulation = GENERATE(std::string(), node_face);
   const int cells = GENERATE(1, 2, 3);

@@ -314,6 +314,22 @@ TEST_CASE("without edge contact beams pass each other and meet faces all the sam
   CHECK(bodies.force_on(2).z() < 0.0);
 }
 
+TEST_CASE("rods and particles meet faces where no edge meets another", "[contact][lofted]") {
+  MeshBuilder b;
+  const bool is_rod = GENERATE(true, false);
+  if (is_rod)
+    add_rod(b, {.id = 1, .cells = 3, .from = {-1, 0.05, 0}, .to = {1, 0.05, 0}});
+  else
+    add_balls(b, 1, {{-0.5, 0.05, 0}, {0.5, 0.05, 0}}, 0.1);
+  b.add_hexes({.id = 3, .origin = {-2, -2, -1.09}, .size = {4, 4, 1}});
+  ContactBodies bodies(b, general_contact("",
+                                          "skin all blocks = on\nbegin surface options\n"
+                                          "edge contact = off\nend\n"));
+  bodies.ask();
+  CHECK(bodies.force_on(0).z() > 0.0);
+  CHECK(bodies.force_on(1).z() < 0.0);
+}
+
 TEST_CASE("a side set of a shell touches on its side only, and without thickness", "[contact][lofted]") {
   const int side = GENERATE(1, 2);
   MeshBuilder b;
