@@ -1,0 +1,70 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Runs the program in a folder with limits of time and memory, and keeps the command beside what it wrote."""
+import os
+import resource
+import shlex
+import signal
+import subprocess
+import time
+
+MEMORY = 6 << 30  # bytes of addresses; more than any small run takes, less than what brings a machine down
+SANITIZED = {"ASAN_OPTIONS": "exitcode=86:allocator_may_return_null=1:detect_stack_use_after_return=1",
+             "UBSAN_OPTIONS": "print_stacktrace=1", "TSAN_OPTIONS": "exitcode=86:ignore_noninstrumented_modules=1"}
+
+
+class Outcome:
+    """How a run ended: its code (negative: the signal it died of), what it printed, and whether it had to be stopped."""
+
+    def __init__(self, code, text, seconds, is_late, is_stuck):
+        self.code, self.text, self.seconds = code, text, seconds
+        self.is_late, self.is_stuck = is_late, is_stuck
+
+
+def is_sanitized(program):
+    """AddressSanitizer and ThreadSanitizer take terabytes of addresses: their programs get no limit."""
+    listed = subprocess.run(["nm", "-D", str(program)], capture_output=True, text=True).stdout
+    return "__asan_init" in listed or "__tsan_init" in listed
+
+
+def environment(**more):
+    return {**os.environ, **SANITIZED, "OMP_WAIT_POLICY": "passive", **more}
+
+
+def limit_memory():
+    resource.setrlimit(resource.RLIMIT_AS, (MEMORY, MEMORY))
+
+
+def note_command(folder, command, **more):
+    words = [f"{name}={shlex.quote(value)}" for name, value in more.items()]
+    with open(folder / "command.txt", "a") as file:
+        file.write(" ".join([*words, shlex.join(map(str, command))]) + "\n")
+
+
+def start(command, folder, is_limited=True, **more):
+    """A process whose output goes to printed.txt; `more` is added to its environment."""
+    note_command(folder, command, **more)
+    with open(folder / "printed.txt", "ab") as printed:
+        return subprocess.Popen(list(map(str, command)), cwd=folder, stdin=subprocess.DEVNULL, stdout=printed,
+                                stderr=printed, env=environment(**more), preexec_fn=limit_memory if is_limited else None)
+
+
+def run(command, folder, limit=10.0, is_limited=True, **more):
+    """Runs to the end. After `limit` seconds the run is asked to stop, as a scheduler would; what then goes on is stuck."""
+    begun = time.monotonic()
+    path = folder / "printed.txt"
+    at = path.stat().st_size if path.exists() else 0
+    process = start(command, folder, is_limited, **more)
+    is_late = is_stuck = False
+    try:
+        process.wait(limit)
+    except subprocess.TimeoutExpired:
+        is_late = True
+        process.send_signal(signal.SIGTERM)
+        try:
+            process.wait(3 * limit)
+        except subprocess.TimeoutExpired:
+            is_stuck = True
+            process.kill()
+            process.wait()
+    text = path.read_bytes()[at:].decode(errors="replace")
+    return Outcome(process.returncode, text, time.monotonic() - begun, is_late, is_stuck)
