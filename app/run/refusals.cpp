@@ -131,7 +131,9 @@ void refuse_what_is_missing(const RunInput& input, Diagnostics& diagnostics) {
   }
   if (procedure.implicit_by) refuse_in_statics(region, diagnostics);
   if (!procedure.time_control) {
-    diagnostics.add_error(procedure.name.location, "the procedure has no TIME CONTROL",
+    const bool is_there = !input.definition.procedures.empty();
+    diagnostics.add_error(is_there ? procedure.name.location : input.definition.name.location,
+                          is_there ? "the procedure has no TIME CONTROL" : "the deck has no procedure",
                           "without one --tables alone can be asked for");
   }
   refuse(region.spot_welds, "a spot weld", diagnostics);

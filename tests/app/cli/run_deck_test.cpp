@@ -178,6 +178,14 @@ TEST_CASE("a deck without contact writes empty tables", "[app][simulation]") {
   CHECK(directory.has("s.exo"));
 }
 
+TEST_CASE("a deck whose procedure another block has swallowed is refused at its first line", "[app][simulation]") {
+  std::string deck = deck_of_regions({""});
+  deck.insert(deck.find("begin presto procedure"), "begin material unused\n");
+  const auto [code, out, err] = WithMesh(deck + "end\n").run({"a.i", "two_blocks.g"});
+  CHECK(code == 2);
+  CHECK_THAT(err, Contains("a.i:1:") && Contains("error: the deck has no procedure"));
+}
+
 TEST_CASE("the regions of all procedures are resolved, files of surfaces hold the first",
           "[app][simulation]") {
   const WithMesh directory(deck_of_regions(

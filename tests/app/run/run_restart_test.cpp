@@ -169,6 +169,19 @@ TEST_CASE("a run that is over where it would go on says so", "[app][restart]") {
   CHECK_THAT(bar.run_deck(restart(every_ten), "restart = automatic\n", "3e-3").err, !Contains("[restart-"));
 }
 
+TEST_CASE("a run that a condition has ended does not go beyond it", "[app][restart]") {
+  const FlyingBar bar;
+  const std::string ended = restart("at step 0 increment = 1\n") +
+                            "begin solution termination\nterminate global step >= 12\nend\n";
+  REQUIRE(bar.run_deck(ended, "restart = automatic\n").exit_code == 0);
+  const std::string last_line = bar.read("a.csv").substr(bar.read("a.csv").rfind('\n', bar.read("a.csv").size() - 2));
+  const auto [code, out, err] = bar.run_deck(ended, "restart = automatic\n");
+  CHECK(code == 0);
+  CHECK_THAT(out, Contains("step is 12 >= 12"));
+  CHECK_THAT(err, Contains("[restart-over]") && Contains("SOLUTION TERMINATION"));
+  CHECK(end_of(bar.read("a.csv-s0002"), last_line) == last_line);
+}
+
 TEST_CASE("what has changed since a state was stored is told", "[app][restart]") {
   const FlyingBar bar;
   REQUIRE(bar.run_deck(restart(every_ten)).exit_code == 0);

@@ -33,7 +33,8 @@ class MutatedRuns:
             text = store_states(text, rng.choice([1, 5, 10]), rng.choice([[], ["restart = automatic"]]))
         text = ask_for_more(text, rng.choice([1, 5, 10]))
         text = self.mutator.mutate(rng, text)
-        return sample, shorten(text, rng.choice([5, 20, 60])), sample.definitions(rng)
+        return sample, shorten(text, rng.choice([5, 20, 60])), [
+            *sample.definitions(rng), *rng.choice([[], [], ["--lenient"]])]
 
     def run(self, sample, text, words):
         shutil.rmtree(self.folder, ignore_errors=True)

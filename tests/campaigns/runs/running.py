@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Runs the program in a folder with limits of time and memory, and keeps the command beside what it wrote."""
 import os
+import pathlib
 import resource
 import shlex
 import signal
@@ -28,6 +29,14 @@ def is_sanitized(program):
 
 def environment(**more):
     return {**os.environ, **SANITIZED, "OMP_WAIT_POLICY": "passive", **more}
+
+
+def build_shim(folder, compiler):
+    """The library that has calls of a run fail, made by a C compiler."""
+    shim = folder / "fault_shim.so"
+    source = pathlib.Path(__file__).with_name("fault_shim.c")
+    subprocess.run([compiler, "-shared", "-fPIC", "-O1", "-o", str(shim), str(source), "-ldl"], check=True)
+    return shim
 
 
 def limit_memory():

@@ -1,0 +1,150 @@
+#!/usr/bin/python3
+# SPDX-License-Identifier: BSD-3-Clause
+"""Runs that store states are killed at random moments, or find disk or memory full: what is left is whole, and goes on."""
+import collections
+import os
+import pathlib
+import re
+import signal
+import sys
+import time
+
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent))
+from campaign import Campaign, scratch_folder
+from harm import harm_of_end
+from results import EXODUS, exodus_difference, files_of, problem_of_exodus, read_summary
+from running import build_shim, run, start
+from samples import Samples
+from stored_runs import BEGINS_AT_START, DAMAGED, StoredDecks, difference_at_end
+
+# Bytes of the allocations that fail. Smaller ones are those of libraries, too: H5AC_create of HDF5 1.10 does not look at what
+# it gets.
+LARGE = (65536, 262144)
+
+
+class Kills:
+    def __init__(self, campaign, folder):
+        self.program, self.folder = campaign.program, folder / "run"
+        self.decks = StoredDecks(campaign.program, Samples(campaign.source, folder), folder)
+        self.shim = build_shim(folder, campaign.arguments.compiler)
+        self.counts = collections.Counter()
+        self.calls = {}
+
+    def shimmed(self, kind, at, n_bytes=0):
+        return {"LD_PRELOAD": str(self.shim), "FAULT_KIND": kind, "FAULT_AT": str(at), "FAULT_BYTES": str(n_bytes),
+                "FAULT_FOLDER": str(self.folder)}
+
+    def measure(self, deck, n_bytes):
+        """Numbers of calls that change files, and of large allocations, in the whole run; and its seconds."""
+        if (deck, n_bytes) not in self.calls:
+            self.decks.put(deck, self.folder)
+            count = self.folder / "count.txt"
+            outcome = run(deck.command(self.program), self.folder, 30, FAULT_COUNT=str(count),
+                          **self.shimmed("count", -1, n_bytes))
+            self.calls[deck, n_bytes] = (*map(int, count.read_text().split()), outcome.seconds)
+        return self.calls[deck, n_bytes]
+
+    def kill(self, rng, deck):
+        """Kills one run: at a moment of the clock, or at a call, before it or when half of its bytes are written."""
+        n_calls, _, seconds = self.measure(deck, 0)
+        kind = rng.choice(["clock", "kill", "kill", "kill_within"])
+        if kind == "clock":
+            process = start(deck.command(self.program), self.folder)
+            time.sleep(rng.uniform(0, seconds))
+            process.kill()
+            code = process.wait()
+        else:
+            code = run(deck.command(self.program), self.folder, 30, **self.shimmed(kind, rng.randrange(n_calls))).code
+        self.counts["kills" if code == -signal.SIGKILL else "ended before"] += 1
+        return "" if code in (-signal.SIGKILL, 0) else f"exit code {code} of a run that should be killed"
+
+    def look_behind(self):
+        """What a kill may not leave: a broken summary, results without a beginning."""
+        try:
+            read_summary(self.folder / "summary.json")
+        except ValueError as error:
+            return f"after a kill the summary is no JSON: {error}"
+        for path in files_of(self.folder, EXODUS):
+            problem = path.stat().st_size and problem_of_exodus(path)
+            if problem:
+                return f"after a kill: {problem}"
+        return ""
+
+    def told_since(self, at):
+        log = self.folder / "run.log"
+        return log.read_bytes()[at:].decode(errors="replace") if log.exists() else ""
+
+    def try_kills(self, rng, deck):
+        """Some kills in a row, then a run to the end."""
+        self.decks.put(deck, self.folder)
+        n_kills = rng.randint(1, 5)
+        for i in range(n_kills + 1):
+            log = self.folder / "run.log"
+            n_told = log.stat().st_size if log.exists() else 0
+            had_states = any(not path.name.endswith(".part") for path in self.folder.glob("campaign*.rsout*"))
+            if i < n_kills:
+                harm = self.kill(rng, deck) or self.look_behind()
+            else:
+                harm = harm_of_end(run(deck.command(self.program), self.folder, 30), (0,))
+            told = self.told_since(n_told)
+            if not harm and DAMAGED in told:
+                harm = "a stored state was damaged"
+            if not harm and had_states and BEGINS_AT_START in told:
+                harm = "a run lost its states"
+            if harm:
+                return harm
+        return difference_at_end(deck, self.folder)
+
+    def try_full(self, rng, deck):
+        """From a random call on the disk is full or broken: the run says which file, or has lost nothing."""
+        n_calls = self.measure(deck, 0)[0]
+        self.decks.put(deck, self.folder)
+        outcome = run(deck.command(self.program), self.folder, 30,
+                      **self.shimmed(rng.choice(["enospc", "eio"]), rng.randrange(n_calls)))
+        self.counts["disks full"] += 1
+        return self.harm_of_fault(deck, outcome) or self.unnamed(outcome)
+
+    def unnamed(self, outcome):
+        names = [path.name for path in self.folder.iterdir()] + ["campaign", "run.log", "summary.json", "report.html"]
+        if outcome.code == 3 and not any(name in outcome.text for name in names):
+            return f"no file is named: {outcome.text.strip()[-200:]}"
+        return ""
+
+    def try_no_memory(self, rng, deck):
+        """From a random large allocation on there is no memory."""
+        n_bytes = rng.choice(LARGE)
+        n_large = self.measure(deck, n_bytes)[1]
+        self.decks.put(deck, self.folder)
+        if n_large == 0:
+            return ""
+        outcome = run(deck.command(self.program), self.folder, 30,
+                      **self.shimmed("malloc", rng.randrange(n_large), n_bytes))
+        self.counts["out of memory"] += 1
+        return self.harm_of_fault(deck, outcome)
+
+    def harm_of_fault(self, deck, outcome):
+        harm = harm_of_end(outcome, (0, 3))
+        if harm:
+            return harm
+        for whole in files_of(deck.straight, re.compile(r"^campaign.*\.[eh]$")):
+            path = self.folder / whole.name
+            if outcome.code == 0 and (not path.exists() or exodus_difference(whole, path)):
+                return f"exit code 0, but {path.name} is not what it should be"
+        return self.look_behind()
+
+
+def main():
+    campaign = Campaign("kills", __doc__, lambda parser: parser.add_argument("--compiler", default=os.environ.get("CC", "cc")))
+    with scratch_folder() as folder:
+        kills = Kills(campaign, pathlib.Path(folder))
+        for rng in campaign.cases():
+            deck = kills.decks.draw(rng)
+            attempt = rng.choice([kills.try_kills, kills.try_kills, kills.try_full, kills.try_no_memory])
+            harm = attempt(rng, deck)
+            if harm:
+                campaign.finding(f"{deck.sample.name}: {harm}", kills.folder)
+    campaign.end(", ".join(f"{n} {what}" for what, n in sorted(kills.counts.items())))
+
+
+if __name__ == "__main__":
+    main()
