@@ -8,6 +8,8 @@
 #include <filesystem>
 #include <vector>
 
+#include "core/base/same_file.hpp"
+
 namespace contactsim {
 
 namespace {
@@ -20,27 +22,26 @@ bool is_device(const fs::path& path) {
   return fs::exists(status) && !fs::is_regular_file(status) && !fs::is_directory(status);
 }
 
-fs::path whole_path(const fs::path& path) {
-  std::error_code ignored;
-  return fs::weakly_canonical(fs::absolute(path, ignored), ignored);
+/// Whether one of two files that are both written would destroy the other.
+bool do_clash(const std::string& one, const std::string& other) {
+  return would_overwrite(one, other) || would_overwrite(other, one);
 }
 
-/// Links are followed; of files that are not there yet the paths count.
-bool is_same_file(const fs::path& one, const fs::path& other) {
-  std::error_code ignored;
-  return fs::equivalent(one, other, ignored) || whole_path(one) == whole_path(other);
+std::string describe_clash(const RunFile& file, const RunFile& other) {
+  return fmt::format("{} would overwrite {}, {}", file.what, other.what, other.path);
 }
 
 }  // namespace
 
 std::string find_file_clash(std::span<const RunFile> read, std::span<const RunFile> written) {
-  std::vector<RunFile> taken(read.begin(), read.end());
+  std::vector<RunFile> taken;
   for (const RunFile& file : written) {
     if (is_device(file.path)) continue;
+    for (const RunFile& other : read) {
+      if (would_overwrite(file.path, other.path)) return describe_clash(file, other);
+    }
     for (const RunFile& other : taken) {
-      if (is_same_file(file.path, other.path)) {
-        return fmt::format("{} would overwrite {}, {}", file.what, other.what, other.path);
-      }
+      if (do_clash(file.path, other.path)) return describe_clash(file, other);
     }
     taken.push_back(file);
   }

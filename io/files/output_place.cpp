@@ -4,17 +4,15 @@
 #include <filesystem>
 #include <system_error>
 
+#include "core/base/same_file.hpp"
+
 namespace contactsim {
 
 namespace fs = std::filesystem;
 
-OutputPlace::OutputPlace(const std::string& path) : target_(path) {
-  std::error_code error;
-  const fs::path pointed_to =
-      fs::is_symlink(path, error) ? fs::weakly_canonical(path, error) : fs::path(path);
-  if (!error && !pointed_to.empty()) target_ = pointed_to.string();
-  const bool is_other = fs::is_other(target_, error);
-  unfinished_ = is_other ? target_ : target_ + ".part";
+OutputPlace::OutputPlace(const std::string& path) : target_(link_target(path)) {
+  std::error_code ignored;
+  unfinished_ = fs::is_other(target_, ignored) ? target_ : unfinished_name(target_);
 }
 
 std::string OutputPlace::commit() const {

@@ -178,7 +178,21 @@ TEST_CASE("a deck without contact writes empty tables", "[app][simulation]") {
   CHECK(directory.has("s.exo"));
 }
 
-TEST_CASE("a deck whose procedure another block has swallowed is refused at its first line", "[app][simulation]") {
+TEST_CASE("a run without contact writes the tables that are asked for", "[app][simulation]") {
+  const contactsim::test::TwoBlocks directory;
+  std::string deck = directory.read("two_blocks.i");
+  const auto begin = deck.find("      begin contact definition");
+  deck.erase(begin, deck.find("      begin results output") - begin);
+  directory.write("a.i", deck);
+  const auto [code, out, err] =
+      directory.run({"a.i", "--surfaces-json", "s.json", "--surfaces-csv", "s.csv"});
+  CHECK(code == 0);
+  CHECK_THAT(directory.read("s.json"), Contains("\"surfaces\": []"));
+  CHECK(directory.read("s.csv") == "surface,block,element,side,kind,area\n");
+}
+
+TEST_CASE("a deck whose procedure another block has swallowed is refused at its first line",
+          "[app][simulation]") {
   std::string deck = deck_of_regions({""});
   deck.insert(deck.find("begin presto procedure"), "begin material unused\n");
   const auto [code, out, err] = WithMesh(deck + "end\n").run({"a.i", "two_blocks.g"});

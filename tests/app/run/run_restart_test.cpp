@@ -171,10 +171,11 @@ TEST_CASE("a run that is over where it would go on says so", "[app][restart]") {
 
 TEST_CASE("a run that a condition has ended does not go beyond it", "[app][restart]") {
   const FlyingBar bar;
-  const std::string ended = restart("at step 0 increment = 1\n") +
-                            "begin solution termination\nterminate global step >= 12\nend\n";
+  const std::string ended =
+      restart("at step 0 increment = 1\n") + "begin solution termination\nterminate global step >= 12\nend\n";
   REQUIRE(bar.run_deck(ended, "restart = automatic\n").exit_code == 0);
-  const std::string last_line = bar.read("a.csv").substr(bar.read("a.csv").rfind('\n', bar.read("a.csv").size() - 2));
+  const std::string last_line =
+      bar.read("a.csv").substr(bar.read("a.csv").rfind('\n', bar.read("a.csv").size() - 2));
   const auto [code, out, err] = bar.run_deck(ended, "restart = automatic\n");
   CHECK(code == 0);
   CHECK_THAT(out, Contains("step is 12 >= 12"));
@@ -236,7 +237,7 @@ TEST_CASE("states are kept from a run from the start when the deck says OVERWRIT
 }
 
 TEST_CASE("a signal ends the run after its step, and it goes on from there", "[app][restart]") {
-  const int number = GENERATE(SIGTERM, SIGINT);
+  const int number = GENERATE(SIGTERM, SIGINT, SIGHUP);
   const FlyingBar bar;
   bar.write_deck(restart(""), "", "100");
   const auto stopped = bar.run_and_signal({"a.i"}, "a.csv", number);

@@ -6,10 +6,15 @@ import re
 import netCDF4
 import numpy as np
 
-EXODUS = re.compile(r"\.(e|h|exo)(-s\d+)?$")
+EXODUS = re.compile(r"\.(e|h|exo)(-s\d+)?$")  # as decks name them
 TEXT = re.compile(r"\.csv(-s\d+)?$")
 NO_NUMBER = re.compile(r"(?<![a-z_])[-+]?(nan|inf(inity)?)(?![a-z_])", re.IGNORECASE)
 OF_THE_PROGRAM = {"qa_records", "info_records"}  # its version, the time of day
+
+
+def is_netcdf(path):
+    with open(path, "rb") as file:
+        return file.read(3) == b"CDF"
 
 
 def files_of(folder, pattern):
@@ -44,7 +49,7 @@ def problem_of_results(folder):
     """The first file of results whose numbers are not all there."""
     for pattern, look in ((EXODUS, problem_of_exodus), (TEXT, problem_of_text)):
         for path in files_of(folder, pattern):
-            problem = look(path)
+            problem = (problem_of_exodus if is_netcdf(path) else look)(path)
             if problem:
                 return problem
     return ""
@@ -60,7 +65,8 @@ def outcome_of(summary):
     def of_run(run):
         return run and {key: value for key, value in run.items() if key not in ("wall_time", "stable_step")}
 
-    return {"run": of_run(summary["run"]), "pairs": summary["pairs"], "exit_code": summary["exit_code"],
+    pairs = [{key: value for key, value in pair.items() if key != "line"} for pair in summary["pairs"]]
+    return {"run": of_run(summary["run"]), "pairs": pairs, "exit_code": summary["exit_code"],
             "earlier": [of_run(one["run"]) for one in summary.get("earlier_runs", [])]}
 
 

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Runs that store states, straight runs to compare with, and whether a run that went on ended as the straight one."""
+import re
 import shutil
 
 from results import exodus_difference, files_of, outcome_of, read_summary, EXODUS, TEXT
@@ -11,14 +12,27 @@ DAMAGED = "damaged"
 
 
 class StoredDeck:
-    """A sample as a run that stores states and goes on from them, and the folder of its straight run."""
+    """A sample as a run that stores states, and the folder of its straight run.
 
-    def __init__(self, sample, words, text, folder):
-        self.sample, self.words, self.text, self.straight = sample, words, text, folder
+    text         of the deck, not yet shortened, without a word of restart
+    increment    steps from one state to the next
+    n_steps      of the straight run, of each procedure
+    """
+
+    def __init__(self, sample, text, increment, n_steps, folder):
+        self.sample, self.text, self.increment, self.n_steps, self.straight = sample, text, increment, n_steps, folder
+        self.is_twofold = len(re.findall(r"^\s*begin procedural transfer", text, re.MULTILINE)) > 0
         self.outcome = None
 
+    def deck(self, lines=("restart = automatic",), n_steps=None, top=()):
+        """The deck with lines of each RESTART DATA, or of the top."""
+        text = store_states(self.text, self.increment, lines)
+        text = re.sub(r"^(begin sierra.*)$", lambda found: "\n".join([found.group(0), *top]), text, count=1,
+                      flags=re.MULTILINE | re.IGNORECASE)
+        return shorten(text, n_steps or self.n_steps)
+
     def command(self, program, threads=1):
-        return [program, f"{self.sample.deck}.i", *self.words, "--threads", str(threads), "--quiet",
+        return [program, f"{self.sample.deck}.i", *self.sample.definitions(), "--threads", str(threads), "--quiet",
                 "--summary", "summary.json", "--report", "report.html", "--log", "run.log"]
 
 
@@ -33,23 +47,26 @@ class StoredDecks:
         while True:
             key = (rng.choice(self.samples.names), rng.random() < 0.3, rng.choice([1, 3, 7]), rng.choice([12, 40]))
             if key not in self._known:
-                self._known[key] = self.make(rng, *key)
+                self._known[key] = self.make(*key)
             if self._known[key].outcome.code == 0:
                 return self._known[key]
 
-    def make(self, rng, name, is_twofold, increment, n_steps):
+    def make(self, name, is_twofold, increment, n_steps):
         sample = self.samples.get(name)
         text = (go_on_in_another(sample.text) if is_twofold else None) or sample.text
-        text = store_states(text, increment, ["restart = automatic", "optional", "cycle count = 3"])
-        text = shorten(ask_for_more(text, 2), n_steps)
-        deck = StoredDeck(sample, sample.definitions(), text, self.folder / f"straight_{len(self._known)}")
-        self.samples.put(sample, text, deck.straight)
+        deck = StoredDeck(sample, ask_for_more(text, 2), increment, n_steps, self.folder / f"straight_{len(self._known)}")
+        self.samples.put(sample, deck.deck(), deck.straight)
         deck.outcome = run(deck.command(self.program), deck.straight, 30)
         return deck
 
-    def put(self, deck, folder):
+    def put(self, deck, folder, **how):
+        """A new folder with the deck, as deck() takes `how`."""
         shutil.rmtree(folder, ignore_errors=True)
-        self.samples.put(deck.sample, deck.text, folder)
+        self.samples.put(deck.sample, deck.deck(**how), folder)
+
+    def change(self, deck, folder, **how):
+        """Another deck in a folder where a run was."""
+        (folder / f"{deck.sample.deck}.i").write_text(deck.deck(**how))
 
 
 def latest(folder, name):
@@ -72,17 +89,13 @@ def difference_at_end(deck, folder):
             part = latest(folder, whole.name)
             if not part.exists():
                 # What went on in a later procedure writes no file of an earlier one.
-                if not deck_is_twofold(deck):
+                if not deck.is_twofold:
                     return f"{whole.name} is not there"
                 continue
             difference = differ(whole, part)
             if difference:
                 return difference
     return summary_difference(deck, folder)
-
-
-def deck_is_twofold(deck):
-    return deck.text.lower().count(" procedure ") > 1 and "procedural transfer" in deck.text.lower()
 
 
 def summary_difference(deck, folder):
