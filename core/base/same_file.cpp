@@ -9,9 +9,21 @@ namespace fs = std::filesystem;
 
 namespace {
 
+/// Where links lead, also to what is not there yet, of which weakly_canonical() knows nothing.
+fs::path follow(fs::path path) {
+  constexpr int max_links = 40;  // as Linux has it
+  std::error_code error;
+  for (int i = 0; i < max_links && fs::is_symlink(path, error); ++i) {
+    const fs::path next = fs::read_symlink(path, error);
+    if (error) break;
+    path = path.parent_path() / next;
+  }
+  return path;
+}
+
 fs::path whole_path(const fs::path& path) {
   std::error_code ignored;
-  return fs::weakly_canonical(fs::absolute(path, ignored), ignored);
+  return fs::weakly_canonical(fs::absolute(follow(path), ignored), ignored);
 }
 
 }  // namespace
@@ -22,10 +34,9 @@ bool is_same_file(const fs::path& one, const fs::path& other) {
 }
 
 std::string link_target(const std::string& path) {
-  std::error_code error;
-  const fs::path pointed_to =
-      fs::is_symlink(path, error) ? fs::weakly_canonical(path, error) : fs::path(path);
-  return error || pointed_to.empty() ? path : pointed_to.string();
+  std::error_code ignored;
+  const fs::path pointed_to = fs::is_symlink(path, ignored) ? whole_path(path) : fs::path(path);
+  return pointed_to.empty() ? path : pointed_to.string();
 }
 
 std::string unfinished_name(const std::string& path) { return link_target(path) + ".part"; }

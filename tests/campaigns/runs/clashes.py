@@ -55,7 +55,8 @@ class Scene:
         (folder / "alias").symlink_to("sub")
         (folder / "here").symlink_to(".")
         self.deck, self.mesh = f"{self.sample.deck}.i", f"{self.sample.deck}.g"
-        self.inputs = [self.deck, self.mesh, "energies.inc", "results.inc"]
+        included = [name for name in ("energies.inc", "results.inc") if name in self.sample.text]
+        self.inputs = [self.deck, self.mesh, *included]
         self.outputs = {}  # kind of file and path by what asks for it
         self.taken = list(self.inputs)
         self.n_links = 0
@@ -128,7 +129,7 @@ class Scene:
         if harm:
             return harm
         if outcome.code:
-            known = [pathlib.Path(path).name for _, path in self.outputs.values()] + self.inputs
+            known = [pathlib.Path(path).name for _, path in self.outputs.values()] + self.inputs + ["link_"]
             return "" if any(name in outcome.text for name in known) else f"no file is named: {outcome.text[-300:]}"
         return self.shared() or self.broken()
 

@@ -16,10 +16,15 @@ from results import is_netcdf, outcome_of, read_summary, same_exodus
 from running import is_sanitized, run
 from samples import Samples, ask_for_more, go_on_in_another, shorten
 
-# What logs tell of the clock; what stands before the deck is of the command.
-CLOCK = re.compile(r"^.*( s +\d+\.\d %|per second| s of the clock ).*$|\A.*?^(?=Deck )", re.MULTILINE | re.DOTALL)
+CLOCK = re.compile(r"^.*( s +\d+\.\d %|per second| s of the clock ).*$", re.MULTILINE)
 OF_A_RUN = {"printed.txt", "command.txt"}
 THREADS = (2, 3, 4, 7)
+
+
+def told(log):
+    """What a log tells but for the clock and, before the deck, the command."""
+    text = CLOCK.sub("", log.read_text(errors="replace"))
+    return text[max(0, text.find("\nDeck ")):]
 
 
 class ThreadEquality:
@@ -82,8 +87,7 @@ class ThreadEquality:
         if one.name == "summary.json":
             return "" if outcome_of(read_summary(one)) == outcome_of(read_summary(more)) else "summary.json"
         if one.suffix == ".log":
-            a, b = (CLOCK.sub("", path.read_text(errors="replace")) for path in (one, more))
-            return "" if a == b else one.name
+            return "" if told(one) == told(more) else one.name
         return one.name
 
 
