@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""The deck language as `contactsim explain` prints it: the lines that each block holds, and random lines after them."""
+"""The deck language as the reference has it: the lines that each block holds, and random lines after them."""
 import re
 import subprocess
 
@@ -8,39 +8,22 @@ from samples import draw_number
 TOKEN = re.compile(r"\{[^{}]*\}|\[(?:[^\[\]]|\[[^\[\]]*\])*\]|<[^<>]*(?:[<>]=?\s[^<>]*)?>|\.\.\.|[^\s{}\[\]<>]+")
 
 
-def explain(program, *words):
-    return subprocess.run([str(program), "explain", *words], capture_output=True, text=True).stdout.splitlines()
-
-
-def block_phrases(program):
-    """Phrases of all blocks, without names: `CONTACT SURFACE`, `PARAMETERS FOR MODEL ELASTIC`."""
-    phrases = set()
-    for line in explain(program):
-        found = re.match(r"\s*BEGIN ([A-Z0-9_ ]+?)\s*(?:[\[<]|  |$)", line)
+def read_blocks(program):
+    """Lines that each block holds, by the block's words without a name, of the page that `manual man-deck` prints."""
+    page = subprocess.run([str(program), "manual", "man-deck"], capture_output=True, text=True, check=True).stdout
+    blocks, lines = {}, []
+    for line in page.splitlines():
+        if line.startswith(".SH "):
+            lines = blocks.setdefault(line[4:].split(" > ")[-1].strip().lower(), [])
+        found = re.fullmatch(r"\\fB(.*)\\fR", line)
         if found:
-            phrases.add(found.group(1).strip().lower())
-    return sorted(phrases)
-
-
-def lines_of_block(program, phrase):
-    """The patterns of what a block holds."""
-    patterns, is_inside = [], False
-    for line in explain(program, *phrase.split()):
-        if line.strip() == "holds":
-            is_inside = True
-        elif is_inside and re.match(r" {4}\S", line):
-            patterns.append(re.split(r"  +", line.strip())[0])
-        elif is_inside and re.match(r" {8}\S", line) and patterns:
-            patterns[-1] += " " + re.split(r"  +", line.strip())[0]
-        elif is_inside and not line.startswith(" "):
-            break
-    return patterns
+            lines.append(re.sub(r"\\(.)", r"\1", found.group(1)))
+    return {phrase: lines for phrase, lines in blocks.items() if lines}
 
 
 class Grammar:
     def __init__(self, program):
-        self.blocks = {phrase: lines_of_block(program, phrase) for phrase in block_phrases(program)}
-        self.blocks = {phrase: lines for phrase, lines in self.blocks.items() if lines}
+        self.blocks = read_blocks(program)
 
     def block_of(self, line):
         """The phrase of a `begin` line; None where it is no such line."""

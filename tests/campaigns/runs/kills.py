@@ -13,13 +13,11 @@ sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent))
 from campaign import Campaign, scratch_folder
 from harm import harm_of_end
 from results import EXODUS, exodus_difference, files_of, problem_of_exodus, read_summary
-from running import build_shim, run, start
+from running import asan_library, build_shim, run, start
 from samples import Samples
-from stored_runs import BEGINS_AT_START, DAMAGED, StoredDecks, difference_at_end
+from stored_runs import LogWatch, StoredDecks, difference_at_end
 
-# Bytes of the allocations that fail. Smaller ones are those of libraries, too: H5AC_create of HDF5 1.10 does not look at what
-# it gets.
-LARGE = (65536, 262144)
+LARGE = (4096, 65536)  # bytes of the allocations that fail
 
 
 class Kills:
@@ -29,17 +27,23 @@ class Kills:
         self.shim = build_shim(folder, campaign.arguments.compiler)
         self.counts = collections.Counter()
         self.calls = {}
+        self.limit = 60.0
+        self.before = asan_library(campaign.program)
 
     def shimmed(self, kind, at, n_bytes=0):
-        return {"LD_PRELOAD": str(self.shim), "FAULT_KIND": kind, "FAULT_AT": str(at), "FAULT_BYTES": str(n_bytes),
+        return {"LD_PRELOAD": " ".join([*self.before, str(self.shim)]), "FAULT_KIND": kind, "FAULT_AT": str(at), "FAULT_BYTES": str(n_bytes),
                 "FAULT_FOLDER": str(self.folder)}
+
+    def attempts(self):
+        """AddressSanitizer has an allocation of its own, which the shim does not reach."""
+        return [self.try_kills, self.try_kills, self.try_full, self.try_full if self.before else self.try_no_memory]
 
     def measure(self, deck, n_bytes):
         """Numbers of calls that change files, and of large allocations, in the whole run; and its seconds."""
         if (deck, n_bytes) not in self.calls:
             self.decks.put(deck, self.folder)
             count = self.folder / "count.txt"
-            outcome = run(deck.command(self.program), self.folder, 30, FAULT_COUNT=str(count),
+            outcome = run(deck.command(self.program), self.folder, self.limit, FAULT_COUNT=str(count),
                           **self.shimmed("count", -1, n_bytes))
             self.calls[deck, n_bytes] = (*map(int, count.read_text().split()), outcome.seconds)
         return self.calls[deck, n_bytes]
@@ -54,7 +58,7 @@ class Kills:
             process.kill()
             code = process.wait()
         else:
-            code = run(deck.command(self.program), self.folder, 30, **self.shimmed(kind, rng.randrange(n_calls))).code
+            code = run(deck.command(self.program), self.folder, self.limit, **self.shimmed(kind, rng.randrange(n_calls))).code
         self.counts["kills" if code == -signal.SIGKILL else "ended before"] += 1
         return "" if code in (-signal.SIGKILL, 0) else f"exit code {code} of a run that should be killed"
 
@@ -70,27 +74,17 @@ class Kills:
                 return f"after a kill: {problem}"
         return ""
 
-    def told_since(self, at):
-        log = self.folder / "run.log"
-        return log.read_bytes()[at:].decode(errors="replace") if log.exists() else ""
-
     def try_kills(self, rng, deck):
         """Some kills in a row, then a run to the end."""
         self.decks.put(deck, self.folder)
         n_kills = rng.randint(1, 5)
         for i in range(n_kills + 1):
-            log = self.folder / "run.log"
-            n_told = log.stat().st_size if log.exists() else 0
-            had_states = any(not path.name.endswith(".part") for path in self.folder.glob("campaign*.rsout*"))
+            watch = LogWatch(self.folder)
             if i < n_kills:
                 harm = self.kill(rng, deck) or self.look_behind()
             else:
-                harm = harm_of_end(run(deck.command(self.program), self.folder, 30), (0,))
-            told = self.told_since(n_told)
-            if not harm and DAMAGED in told:
-                harm = "a stored state was damaged"
-            if not harm and had_states and BEGINS_AT_START in told:
-                harm = "a run lost its states"
+                harm = harm_of_end(run(deck.command(self.program), self.folder, self.limit), (0,))
+            harm = harm or watch.harm()
             if harm:
                 return harm
         return difference_at_end(deck, self.folder)
@@ -99,7 +93,7 @@ class Kills:
         """From a random call on the disk is full or broken: the run says which file, or has lost nothing."""
         n_calls = self.measure(deck, 0)[0]
         self.decks.put(deck, self.folder)
-        outcome = run(deck.command(self.program), self.folder, 30,
+        outcome = run(deck.command(self.program), self.folder, self.limit,
                       **self.shimmed(rng.choice(["enospc", "eio"]), rng.randrange(n_calls)))
         self.counts["disks full"] += 1
         return self.harm_of_fault(deck, outcome) or self.unnamed(outcome)
@@ -117,7 +111,7 @@ class Kills:
         self.decks.put(deck, self.folder)
         if n_large == 0:
             return ""
-        outcome = run(deck.command(self.program), self.folder, 30,
+        outcome = run(deck.command(self.program), self.folder, self.limit,
                       **self.shimmed("malloc", rng.randrange(n_large), n_bytes))
         self.counts["out of memory"] += 1
         return self.harm_of_fault(deck, outcome)
@@ -139,7 +133,7 @@ def main():
         kills = Kills(campaign, pathlib.Path(folder))
         for rng in campaign.cases():
             deck = kills.decks.draw(rng)
-            attempt = rng.choice([kills.try_kills, kills.try_kills, kills.try_full, kills.try_no_memory])
+            attempt = rng.choice(kills.attempts())
             harm = attempt(rng, deck)
             if harm:
                 campaign.finding(f"{deck.sample.name}: {harm}", kills.folder)

@@ -20,8 +20,7 @@ class MutatedRuns:
         self.program, self.folder = campaign.program, folder / "run"
         self.samples = Samples(campaign.source, folder)
         self.mutator = Mutator(Grammar(campaign.program), Donors(self.samples.texts))
-        self.is_limited = not is_sanitized(campaign.program)
-        self.limit = 10.0 if self.is_limited else 60.0
+        self.limit = 60.0 if is_sanitized(campaign.program) else 10.0
 
     def draw(self, rng):
         """A sample and its changed text."""
@@ -40,7 +39,7 @@ class MutatedRuns:
         shutil.rmtree(self.folder, ignore_errors=True)
         self.samples.put(sample, text, self.folder)
         command = [self.program, f"{sample.deck}.i", *words, "--threads", "1", "--quiet", "--summary", "summary.json"]
-        outcome = run(command, self.folder, self.limit, self.is_limited)
+        outcome = run(command, self.folder, self.limit)
         return outcome, find_harm(outcome, self.folder)
 
     def shrink(self, sample, text, words, harm):

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Runs the program in a folder with limits of time and memory, and keeps the command beside what it wrote."""
+import functools
 import os
 import pathlib
 import resource
@@ -21,10 +22,17 @@ class Outcome:
         self.is_late, self.is_stuck = is_late, is_stuck
 
 
+@functools.cache
 def is_sanitized(program):
     """AddressSanitizer and ThreadSanitizer take terabytes of addresses: their programs get no limit."""
     listed = subprocess.run(["nm", "-D", str(program)], capture_output=True, text=True).stdout
     return "__asan_init" in listed or "__tsan_init" in listed
+
+
+def asan_library(program):
+    """The library of AddressSanitizer that a program is linked with, which wants to be loaded first; in a list."""
+    listed = subprocess.run(["ldd", str(program)], capture_output=True, text=True).stdout
+    return [line.split()[2] for line in listed.splitlines() if line.split()[:1] and "libasan" in line.split()[0]]
 
 
 def environment(**more):
@@ -35,7 +43,7 @@ def build_shim(folder, compiler):
     """The library that has calls of a run fail, made by a C compiler."""
     shim = folder / "fault_shim.so"
     source = pathlib.Path(__file__).with_name("fault_shim.c")
-    subprocess.run([compiler, "-shared", "-fPIC", "-O1", "-o", str(shim), str(source), "-ldl"], check=True)
+    subprocess.run([compiler, "-x", "c", "-shared", "-fPIC", "-O1", "-o", str(shim), str(source), "-ldl"], check=True)
     return shim
 
 
@@ -49,20 +57,21 @@ def note_command(folder, command, **more):
         file.write(" ".join([*words, shlex.join(map(str, command))]) + "\n")
 
 
-def start(command, folder, is_limited=True, **more):
+def start(command, folder, **more):
     """A process whose output goes to printed.txt; `more` is added to its environment."""
     note_command(folder, command, **more)
     with open(folder / "printed.txt", "ab") as printed:
         return subprocess.Popen(list(map(str, command)), cwd=folder, stdin=subprocess.DEVNULL, stdout=printed,
-                                stderr=printed, env=environment(**more), preexec_fn=limit_memory if is_limited else None)
+                                stderr=printed, env=environment(**more),
+                                preexec_fn=None if is_sanitized(command[0]) else limit_memory)
 
 
-def run(command, folder, limit=10.0, is_limited=True, **more):
+def run(command, folder, limit=10.0, **more):
     """Runs to the end. After `limit` seconds the run is asked to stop, as a scheduler would; what then goes on is stuck."""
     begun = time.monotonic()
     path = folder / "printed.txt"
     at = path.stat().st_size if path.exists() else 0
-    process = start(command, folder, is_limited, **more)
+    process = start(command, folder, **more)
     is_late = is_stuck = False
     try:
         process.wait(limit)

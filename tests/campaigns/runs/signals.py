@@ -81,7 +81,7 @@ class Signals:
         return self.go_on(deck)
 
     def go_on(self, deck):
-        harm = harm_of_end(run(deck.command(self.program), self.folder, 30), (0,))
+        harm = harm_of_end(run(deck.command(self.program), self.folder, 60), (0,))
         return harm or difference_at_end(deck, self.folder)
 
 

@@ -7,8 +7,6 @@ from results import exodus_difference, files_of, outcome_of, read_summary, EXODU
 from running import run
 from samples import ask_for_more, go_on_in_another, shorten, store_states
 
-BEGINS_AT_START = "the run begins at its start"
-DAMAGED = "damaged"
 
 
 class StoredDeck:
@@ -56,7 +54,7 @@ class StoredDecks:
         text = (go_on_in_another(sample.text) if is_twofold else None) or sample.text
         deck = StoredDeck(sample, ask_for_more(text, 2), increment, n_steps, self.folder / f"straight_{len(self._known)}")
         self.samples.put(sample, deck.deck(), deck.straight)
-        deck.outcome = run(deck.command(self.program), deck.straight, 30)
+        deck.outcome = run(deck.command(self.program), deck.straight, 60)
         return deck
 
     def put(self, deck, folder, **how):
@@ -67,6 +65,23 @@ class StoredDecks:
     def change(self, deck, folder, **how):
         """Another deck in a folder where a run was."""
         (folder / f"{deck.sample.deck}.i").write_text(deck.deck(**how))
+
+
+class LogWatch:
+    """What a run adds to the log of its folder, and whether it made use of the states that there were."""
+
+    def __init__(self, folder):
+        self.log = folder / "run.log"
+        self.at = self.log.stat().st_size if self.log.exists() else 0
+        self.had_states = any(not path.name.endswith(".part") for path in folder.glob("campaign*.rsout*"))
+
+    def told(self):
+        return self.log.read_bytes()[self.at:].decode(errors="replace") if self.log.exists() else ""
+
+    def harm(self):
+        if "damaged" in self.told():
+            return "a stored state was damaged"
+        return "a run lost its states" if self.had_states and "the run begins at its start" in self.told() else ""
 
 
 def latest(folder, name):

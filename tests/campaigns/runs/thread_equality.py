@@ -2,6 +2,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Runs with 1, 2, 3, 4 and 7 threads write the same bytes, decks that are changed at random among them."""
 import collections
+import itertools
 import pathlib
 import re
 import shutil
@@ -13,7 +14,7 @@ from grammar import Grammar
 from harm import harm_of_end
 from mutate import Donors, Mutator
 from results import is_netcdf, outcome_of, read_summary, same_exodus
-from running import is_sanitized, run
+from running import run
 from samples import Samples, ask_for_more, go_on_in_another, shorten
 
 CLOCK = re.compile(r"^.*( s +\d+\.\d %|per second| s of the clock ).*$", re.MULTILINE)
@@ -22,9 +23,9 @@ THREADS = (2, 3, 4, 7)
 
 
 def told(log):
-    """What a log tells but for the clock and, before the deck, the command."""
-    text = CLOCK.sub("", log.read_text(errors="replace"))
-    return text[max(0, text.find("\nDeck ")):]
+    """What a log tells but for the clock and the command."""
+    lines = CLOCK.sub("", log.read_text(errors="replace")).splitlines()
+    return list(itertools.dropwhile(lambda line: line.startswith("  "), lines[1:]))
 
 
 class ThreadEquality:
@@ -32,7 +33,6 @@ class ThreadEquality:
         self.program, self.folders = campaign.program, (folder / "one", folder / "more")
         self.samples = Samples(campaign.source, folder)
         self.mutator = Mutator(Grammar(campaign.program), Donors(self.samples.texts))
-        self.is_limited = not is_sanitized(campaign.program)
         self.codes = collections.Counter()
 
     def draw(self, rng):
@@ -51,7 +51,7 @@ class ThreadEquality:
         command = [self.program, f"{sample.deck}.i", *words, "--threads", str(threads), "--quiet", "--log", "run.log",
                    "--summary", "summary.json", "--surfaces-json", "s.json", "--surfaces-csv", "s.csv",
                    "--surfaces", "s.exo"]
-        return run(command, folder, 20, self.is_limited)
+        return run(command, folder, 30)
 
     def compare(self, rng):
         """The harm, and the name of the deck."""
