@@ -9,7 +9,8 @@ ERROR = re.compile(r"\berror:")
 PLACED = re.compile(r"^[^\s:]+(:\d+)?(:\d+)?: error:|^\s*error: |^contactsim: error:", re.MULTILINE)
 DECK_PLACE = re.compile(r"^[^\s:]+:\d+(:\d+)?: error:", re.MULTILINE)
 STATES = {0: "done", 2: "failed", 3: "failed", 4: "failed", 5: "stopped"}
-ENERGY_BOUND = 0.1  # of the largest energy; the program itself tells of a hundredth
+ENERGY_BOUND = 0.1  # of the largest energy; the program itself tells of a hundredth,
+SETTLED = 40  # steps, but not of the first thirty (app/run/energy_watch.cpp)
 ENERGY_TOLD = re.compile(r"energy|runaway|ENERGY|load step|balance")
 
 
@@ -53,7 +54,9 @@ def harm_of_summary(outcome, path):
     if any(value is None for value in run["energies"].values()) or run["time"] is None:
         return f"no finite energies: {run['energies']}"
     told = any(ENERGY_TOLD.search(f"{warning['id']} {warning['text']}") for warning in summary["warnings"])
-    return f"energy error of {share:.3g} of the largest energy, not told" if abs(share) > ENERGY_BOUND and not told else ""
+    if abs(share) > ENERGY_BOUND and run["steps"] >= SETTLED and not told:
+        return f"energy error of {share:.3g} of the largest energy, not told"
+    return ""
 
 
 def harm_of_leftovers(folder):

@@ -48,17 +48,21 @@ class Kills:
             self.calls[deck, n_bytes] = (*map(int, count.read_text().split()), outcome.seconds)
         return self.calls[deck, n_bytes]
 
-    def kill(self, rng, deck):
-        """Kills one run: at a moment of the clock, or at a call, before it or when half of its bytes are written."""
+    def kill(self, rng, deck, n_before):
+        """Kills one run: at a moment of the clock, or at a call, before it or when half of its bytes are written.
+
+        What has gone on a number of times has less and less before it.
+        """
         n_calls, _, seconds = self.measure(deck, 0)
+        share = rng.random() ** (1 + n_before)
         kind = rng.choice(["clock", "kill", "kill", "kill_within"])
         if kind == "clock":
             process = start(deck.command(self.program), self.folder)
-            time.sleep(rng.uniform(0, seconds))
+            time.sleep(share * seconds)
             process.kill()
             code = process.wait()
         else:
-            code = run(deck.command(self.program), self.folder, self.limit, **self.shimmed(kind, rng.randrange(n_calls))).code
+            code = run(deck.command(self.program), self.folder, self.limit, **self.shimmed(kind, int(share * n_calls))).code
         self.counts["kills" if code == -signal.SIGKILL else "ended before"] += 1
         return "" if code in (-signal.SIGKILL, 0) else f"exit code {code} of a run that should be killed"
 
@@ -81,7 +85,7 @@ class Kills:
         for i in range(n_kills + 1):
             watch = LogWatch(self.folder)
             if i < n_kills:
-                harm = self.kill(rng, deck) or self.look_behind()
+                harm = self.kill(rng, deck, i) or self.look_behind()
             else:
                 harm = harm_of_end(run(deck.command(self.program), self.folder, self.limit), (0,))
             harm = harm or watch.harm()
