@@ -203,7 +203,7 @@ TEST_CASE("a folder in which a run is writing its log is not for another one", "
   const FlyingBar bar;
   bar.write_deck("", "", "1e-4");
   {
-    const Log running(bar.path("a.log"));
+    const contactsim::Log running(bar.path("a.log"));
     const auto [code, out, err] = bar.run({"a.i"});
     CHECK(code == 3);
     CHECK_THAT(err, Contains("a.log") && Contains("its folder is already in use"));
