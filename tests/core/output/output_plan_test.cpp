@@ -199,8 +199,8 @@ TEST_CASE("outputs of one file are found however their paths are spelled", "[cor
   const auto clashes = [](const std::string& one, const std::string& other) {
     PlannedRun run;
     run.region.results_outputs = {ResultsOutput{}, ResultsOutput{}};
-    run.region.results_outputs[0].database = DeckName{one, {}};
-    run.region.results_outputs[1].database = DeckName{other, {}};
+    run.region.results_outputs[0].database.name = DeckName{one, {}};
+    run.region.results_outputs[1].database.name = DeckName{other, {}};
     run.make_plan();
     const auto messages = run.messages();
     return std::ranges::count(messages, "error: two outputs would write " + other) == 1;
