@@ -34,25 +34,31 @@ class StoredDeck:
                 "--summary", "summary.json", "--report", "report.html", "--log", "run.log"]
 
 
+N_KEPT = 20  # straight runs, whose states take megabytes
+
+
 class StoredDecks:
-    """Draws decks whose straight run ends well; keeps what it has drawn."""
+    """Draws decks whose straight run ends well; keeps the last ones."""
 
     def __init__(self, program, samples, folder):
         self.program, self.samples, self.folder = program, samples, folder
-        self._known = {}
+        self._known, self.n_made = {}, 0
 
     def draw(self, rng):
         while True:
             key = (rng.choice(self.samples.names), rng.random() < 0.3, rng.choice([1, 3, 7]), rng.choice([12, 40]))
-            if key not in self._known:
-                self._known[key] = self.make(*key)
-            if self._known[key].outcome.code == 0:
-                return self._known[key]
+            deck = self._known.pop(key, None) or self.make(*key)
+            self._known[key] = deck
+            if len(self._known) > N_KEPT:
+                shutil.rmtree(self._known.pop(next(iter(self._known))).straight)
+            if deck.outcome.code == 0:
+                return deck
 
     def make(self, name, is_twofold, increment, n_steps):
         sample = self.samples.get(name)
         text = (go_on_in_another(sample.text) if is_twofold else None) or sample.text
-        deck = StoredDeck(sample, ask_for_more(text, 2), increment, n_steps, self.folder / f"straight_{len(self._known)}")
+        self.n_made += 1
+        deck = StoredDeck(sample, ask_for_more(text, 2), increment, n_steps, self.folder / f"straight_{self.n_made}")
         self.samples.put(sample, deck.deck(), deck.straight)
         deck.outcome = run(deck.command(self.program), deck.straight, 60)
         return deck
