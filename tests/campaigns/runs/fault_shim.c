@@ -168,7 +168,7 @@ FILE *fopen(const char *path, const char *mode) { return open_stream(path, mode)
 
 extern void *__libc_malloc(size_t n);
 
-// H5AC_create of HDF5 1.10 does not look at what it gets: its library's own allocations are let through.
+// H5AC_create of HDF5 1.10 does not look at what it gets: what its library takes for itself is let through.
 static int is_of_hdf5(const void *caller) {
   Dl_info info;
   return dladdr(caller, &info) && info.dli_fname && strstr(info.dli_fname, "libhdf5");

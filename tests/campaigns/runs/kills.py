@@ -17,48 +17,47 @@ from running import asan_library, build_shim, run, start
 from samples import Samples
 from stored_runs import LogWatch, StoredDecks, difference_at_end
 
-LARGE = (4096, 65536)  # bytes of the allocations that fail
+MUMPS_ENDS = "Attempt to DEALLOCATE unallocated"  # without memory MUMPS 5.5 ends the process itself, with exit code 2
+LARGE = 16384  # bytes of the allocations that fail, and more
 
 
 class Kills:
     def __init__(self, campaign, folder):
         self.program, self.folder = campaign.program, folder / "run"
-        self.decks = StoredDecks(campaign.program, Samples(campaign.source, folder), folder)
+        self.decks = StoredDecks(campaign.program, Samples(campaign.source, folder), folder, self.counting)
         self.shim = build_shim(folder, campaign.arguments.compiler)
         self.counts = collections.Counter()
-        self.calls = {}
         self.limit = 60.0
         self.before = asan_library(campaign.program)
 
-    def shimmed(self, kind, at, n_bytes=0):
-        return {"LD_PRELOAD": " ".join([*self.before, str(self.shim)]), "FAULT_KIND": kind, "FAULT_AT": str(at), "FAULT_BYTES": str(n_bytes),
-                "FAULT_FOLDER": str(self.folder)}
+    def shimmed(self, kind, at, folder=None):
+        return {"LD_PRELOAD": " ".join([*self.before, str(self.shim)]), "FAULT_KIND": kind, "FAULT_AT": str(at),
+                "FAULT_BYTES": str(LARGE), "FAULT_FOLDER": str(folder or self.folder)}
+
+    def counting(self, folder):
+        """Has a straight run count what kills and faults are drawn from."""
+        return {**self.shimmed("count", -1, folder), "FAULT_COUNT": str(folder / "count.txt")}
+
+    @staticmethod
+    def measure(deck):
+        """Numbers of calls that change files, and of large allocations, in the straight run."""
+        return map(int, (deck.straight / "count.txt").read_text().split())
 
     def attempts(self):
         """AddressSanitizer has an allocation of its own, which the shim does not reach."""
         return [self.try_kills, self.try_kills, self.try_full, self.try_full if self.before else self.try_no_memory]
-
-    def measure(self, deck, n_bytes):
-        """Numbers of calls that change files, and of large allocations, in the whole run; and its seconds."""
-        if (deck, n_bytes) not in self.calls:
-            self.decks.put(deck, self.folder)
-            count = self.folder / "count.txt"
-            outcome = run(deck.command(self.program), self.folder, self.limit, FAULT_COUNT=str(count),
-                          **self.shimmed("count", -1, n_bytes))
-            self.calls[deck, n_bytes] = (*map(int, count.read_text().split()), outcome.seconds)
-        return self.calls[deck, n_bytes]
 
     def kill(self, rng, deck, n_before):
         """Kills one run: at a moment of the clock, or at a call, before it or when half of its bytes are written.
 
         What has gone on a number of times has less and less before it.
         """
-        n_calls, _, seconds = self.measure(deck, 0)
+        n_calls, _ = self.measure(deck)
         share = rng.random() ** (1 + n_before)
         kind = rng.choice(["clock", "kill", "kill", "kill_within"])
         if kind == "clock":
             process = start(deck.command(self.program), self.folder)
-            time.sleep(share * seconds)
+            time.sleep(share * deck.outcome.seconds)
             process.kill()
             code = process.wait()
         else:
@@ -81,7 +80,7 @@ class Kills:
     def try_kills(self, rng, deck):
         """Some kills in a row, then a run to the end."""
         self.decks.put(deck, self.folder)
-        n_kills = rng.randint(1, 5)
+        n_kills = rng.randint(2, 8)
         for i in range(n_kills + 1):
             watch = LogWatch(self.folder)
             if i < n_kills:
@@ -95,7 +94,7 @@ class Kills:
 
     def try_full(self, rng, deck):
         """From a random call on the disk is full or broken: the run says which file, or has lost nothing."""
-        n_calls = self.measure(deck, 0)[0]
+        n_calls, _ = self.measure(deck)
         self.decks.put(deck, self.folder)
         outcome = run(deck.command(self.program), self.folder, self.limit,
                       **self.shimmed(rng.choice(["enospc", "eio"]), rng.randrange(n_calls)))
@@ -110,14 +109,16 @@ class Kills:
 
     def try_no_memory(self, rng, deck):
         """From a random large allocation on there is no memory."""
-        n_bytes = rng.choice(LARGE)
-        n_large = self.measure(deck, n_bytes)[1]
-        self.decks.put(deck, self.folder)
+        _, n_large = self.measure(deck)
         if n_large == 0:
             return ""
+        self.decks.put(deck, self.folder)
         outcome = run(deck.command(self.program), self.folder, self.limit,
-                      **self.shimmed("malloc", rng.randrange(n_large), n_bytes))
+                      **self.shimmed("malloc", rng.randrange(n_large)))
         self.counts["out of memory"] += 1
+        if MUMPS_ENDS in outcome.text:
+            self.counts["ended by MUMPS"] += 1
+            return ""
         return self.harm_of_fault(deck, outcome)
 
     def harm_of_fault(self, deck, outcome):

@@ -38,10 +38,13 @@ N_KEPT = 20  # straight runs, whose states take megabytes
 
 
 class StoredDecks:
-    """Draws decks whose straight run ends well; keeps the last ones."""
+    """Draws decks whose straight run ends well; keeps the last ones.
 
-    def __init__(self, program, samples, folder):
-        self.program, self.samples, self.folder = program, samples, folder
+    environment  what a straight run in a folder has in its environment
+    """
+
+    def __init__(self, program, samples, folder, environment=lambda folder: {}):
+        self.program, self.samples, self.folder, self.environment = program, samples, folder, environment
         self._known, self.n_made = {}, 0
 
     def draw(self, rng):
@@ -60,7 +63,7 @@ class StoredDecks:
         self.n_made += 1
         deck = StoredDeck(sample, ask_for_more(text, 2), increment, n_steps, self.folder / f"straight_{self.n_made}")
         self.samples.put(sample, deck.deck(), deck.straight)
-        deck.outcome = run(deck.command(self.program), deck.straight, 60)
+        deck.outcome = run(deck.command(self.program), deck.straight, 60, **self.environment(deck.straight))
         return deck
 
     def put(self, deck, folder, **how):
