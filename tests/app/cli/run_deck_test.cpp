@@ -198,6 +198,11 @@ TEST_CASE("a deck whose procedure another block has swallowed is refused at its 
   const auto [code, out, err] = WithMesh(deck + "end\n").run({"a.i", "two_blocks.g"});
   CHECK(code == 2);
   CHECK_THAT(err, Contains("a.i:1:") && Contains("error: the deck has no procedure"));
+  deck = deck_of_regions({""});
+  deck.insert(deck.find("begin presto region"), "begin time control\n");
+  const auto without_region = WithMesh(deck + "end\n").run({"a.i", "two_blocks.g", "--lenient"});
+  CHECK(without_region.exit_code == 2);
+  CHECK_THAT(without_region.err, Contains("a.i:4:") && Contains("error: the procedure has no region"));
 }
 
 TEST_CASE("the regions of all procedures are resolved, files of surfaces hold the first",
