@@ -199,7 +199,7 @@ TEST_CASE("a deck whose procedure another block has swallowed is refused at its 
   CHECK(code == 2);
   CHECK_THAT(err, Contains("a.i:1:") && Contains("error: the deck has no procedure"));
   deck = deck_of_regions({""});
-  deck.insert(deck.find("begin presto region"), "begin time control\n");
+  deck.erase(deck.find("end\nbegin presto region"), 4);
   const auto without_region = WithMesh(deck + "end\n").run({"a.i", "two_blocks.g", "--lenient"});
   CHECK(without_region.exit_code == 2);
   CHECK_THAT(without_region.err, Contains("a.i:4:") && Contains("error: the procedure has no region"));
