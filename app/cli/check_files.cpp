@@ -10,7 +10,7 @@
 #include "app/cli/run_mesh.hpp"
 #include "app/run/deck_files.hpp"
 #include "app/run/file_clashes.hpp"
-#include "io/files/file_links.hpp"
+#include "core/base/file_paths.hpp"
 #include "io/restart/restart_database.hpp"
 
 namespace contactsim {

@@ -31,6 +31,8 @@ void open_standard_streams() {
 int main(int argc, char** argv) {
   open_standard_streams();
   // A file that passes the limit of its size is then an error like a full disk, not the end of the process.
+  // So is a pipe whose reader has gone: the run goes on and writes its files.
   std::signal(SIGXFSZ, SIG_IGN);
+  std::signal(SIGPIPE, SIG_IGN);
   return contactsim::run_program(argc, argv);
 }

@@ -60,8 +60,15 @@ void find_overlaps(const DeckWay& way, PreparedRegion& prepared) {
   way.log.write(format_start_overlaps(prepared.overlaps, *prepared.contact, *prepared.mesh));
 }
 
+bool asks_for_tables(const Options& options) {
+  return options.surfaces_json || options.surfaces_csv || options.surfaces_exodus;
+}
+
 void resolve(const DeckWay& way, bool writes_tables, PreparedRegion& prepared) {
-  if (!prepared.region.contact && way.options.stage == Stage::run) return;
+  // Without contact the tables that are asked for are empty.
+  if (!prepared.region.contact && way.options.stage == Stage::run &&
+      !(writes_tables && asks_for_tables(way.options)))
+    return;
   Options options = way.options;
   if (!writes_tables) {
     for (auto* path : {&options.surfaces_json, &options.surfaces_csv, &options.surfaces_exodus})

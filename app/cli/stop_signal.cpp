@@ -14,6 +14,13 @@ volatile std::sig_atomic_t signal_to_end = 0, wants_restart = 0;
 extern "C" void contactsim_note_end(int signal) { signal_to_end = signal; }
 extern "C" void contactsim_note_restart(int) { wants_restart = 1; }
 
+/// nohup and the like have a process ignore it.
+bool is_ignored(int signal) {
+  struct sigaction action {};
+  sigaction(signal, nullptr, &action);
+  return action.sa_handler == SIG_IGN;
+}
+
 void set_handler(int signal, void (*handler)(int), int flags) {
   struct sigaction action {};
   action.sa_handler = handler;
@@ -31,15 +38,13 @@ StopSignals::StopSignals() {
   constexpr int once = static_cast<int>(SA_RESETHAND) | SA_RESTART;
   set_handler(SIGTERM, contactsim_note_end, once);
   set_handler(SIGINT, contactsim_note_end, once);
+  if (!is_ignored(SIGHUP)) set_handler(SIGHUP, contactsim_note_end, once);
   set_handler(SIGUSR1, contactsim_note_restart, SA_RESTART);
-}
-
-StopSignals::~StopSignals() {
-  for (const int signal : {SIGTERM, SIGINT, SIGUSR1}) set_handler(signal, SIG_DFL, 0);
 }
 
 std::optional<std::string> StopSignals::find_stop() const {
   if (signal_to_end == 0) return std::nullopt;
+  if (signal_to_end == SIGHUP) return "SIGHUP";
   return signal_to_end == SIGINT ? "SIGINT" : "SIGTERM";
 }
 

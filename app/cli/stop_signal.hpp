@@ -12,13 +12,14 @@ struct StoppedBySignal {
   std::string signal;  ///< its name
 };
 
-/// What the system may ask of a run while it lasts: to end after the step (SIGTERM, SIGINT) or to write a
-/// restart file (SIGUSR1). Who asks a second time to end ends the process. There is one of these at a time.
+/// What the system may ask of a run while it lasts: to end after the step (SIGTERM, SIGINT, and SIGHUP where
+/// it is not ignored) or to write a restart file (SIGUSR1). Who asks a second time to end ends the process.
+/// There is one of these at a time. What comes after it is noted in vain: the process is about to end with
+/// the exit code of the run.
 class StopSignals {
  public:
-  /// From now on signals are noted, until the end of this.
+  /// From now on signals are noted.
   StopSignals();
-  ~StopSignals();
   StopSignals(const StopSignals&) = delete;
   StopSignals& operator=(const StopSignals&) = delete;
 

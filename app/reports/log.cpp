@@ -6,7 +6,7 @@
 
 #include "app/reports/wrap_text.hpp"
 #include "core/base/errors.hpp"
-#include "io/files/file_links.hpp"
+#include "core/base/file_paths.hpp"
 
 namespace contactsim {
 

@@ -8,34 +8,34 @@
 #include <filesystem>
 #include <vector>
 
-#include "io/files/file_links.hpp"
+#include "core/base/file_paths.hpp"
 
 namespace contactsim {
 
-namespace {
-
 namespace fs = std::filesystem;
 
-/// Links are followed; of files that are not there yet folder and name count. No path is made absolute, as
-/// that of the working folder may be too long.
-bool is_same_file(const fs::path& one, const fs::path& other) {
-  std::error_code ignored;
-  if (fs::equivalent(one, other, ignored)) return true;
-  const fs::path a = follow_links(one), b = follow_links(other);
-  if (a.filename() != b.filename()) return false;
-  return fs::equivalent(folder_of(a), folder_of(b), ignored) || a.lexically_normal() == b.lexically_normal();
+namespace {
+
+/// Whether one of two files that are both written would destroy the other.
+bool do_clash(const std::string& one, const std::string& other) {
+  return would_overwrite(one, other) || would_overwrite(other, one);
+}
+
+std::string describe_clash(const RunFile& file, const RunFile& other) {
+  return fmt::format("{} would overwrite {}, {}", file.what, other.what, other.path);
 }
 
 }  // namespace
 
 std::string find_file_clash(std::span<const RunFile> read, std::span<const RunFile> written) {
-  std::vector<RunFile> taken(read.begin(), read.end());
+  std::vector<RunFile> taken;
   for (const RunFile& file : written) {
     if (is_device(file.path)) continue;
+    for (const RunFile& other : read) {
+      if (would_overwrite(file.path, other.path)) return describe_clash(file, other);
+    }
     for (const RunFile& other : taken) {
-      if (is_same_file(file.path, other.path)) {
-        return fmt::format("{} would overwrite {}, {}", file.what, other.what, other.path);
-      }
+      if (do_clash(file.path, other.path)) return describe_clash(file, other);
     }
     taken.push_back(file);
   }

@@ -118,6 +118,18 @@ void TransferRefusals::refuse_contact() const {
   }
 }
 
+/// A block that is not closed may have swallowed the region or the procedure.
+void refuse_without_times(const RunInput& input, Diagnostics& diagnostics) {
+  const auto& procedures = input.definition.procedures;
+  const DeckName& first = procedures.empty() ? input.definition.name : procedures.front().name;
+  const bool is_known = input.procedure.name.location.is_known();
+  const char* missing = "the procedure has no TIME CONTROL";
+  if (procedures.empty()) missing = "the deck has no procedure";
+  if (!procedures.empty() && !is_known && first.location.is_known()) missing = "the procedure has no region";
+  diagnostics.add_error(is_known ? input.procedure.name.location : first.location, missing,
+                        "without one --tables alone can be asked for");
+}
+
 }  // namespace
 
 void refuse_what_is_missing(const RunInput& input, Diagnostics& diagnostics) {
@@ -131,8 +143,7 @@ void refuse_what_is_missing(const RunInput& input, Diagnostics& diagnostics) {
   }
   if (procedure.implicit_by) refuse_in_statics(region, diagnostics);
   if (!procedure.time_control) {
-    diagnostics.add_error(procedure.name.location, "the procedure has no TIME CONTROL",
-                          "without one --tables alone can be asked for");
+    refuse_without_times(input, diagnostics);
   }
   refuse(region.spot_welds, "a spot weld", diagnostics);
   for (const MassProperties& properties : region.mass_properties) {

@@ -181,7 +181,7 @@ void warn_of_restart(const RunRestart& restart, std::span<const RunMark> changed
         "restart-over", {},
         fmt::format("the state in {} is of t = {:.6g}, where the run ends: nothing is left to do", state.path,
                     state.head.time),
-        "a later TERMINATION TIME lets it go on");
+        "a later TERMINATION TIME, or another SOLUTION TERMINATION where one ended it, lets it go on");
   }
   for (const RunMark& mark : changed) {
     warnings.add_warning("restart-changed", mark.location,

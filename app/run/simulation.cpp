@@ -96,9 +96,11 @@ void Simulation::resume() {
   StateArchive saved(*run.restart.earlier());
   const std::vector<RunMark> changed = archive(run.checkpoint(), saved);
   run.restart.forget_earlier();
-  warn_of_restart(run.restart, changed, control().is_over(state().time, state().dt), run.diagnostics);
   run.energy_warnings.begin(run.state);
   run.outputs.resume(run.state);
+  // A state may be stored where a condition ended the run, which the next step would go beyond.
+  run.end = run.find_end();
+  warn_of_restart(run.restart, changed, is_over(), run.diagnostics);
   run.restart.begin(run.state);
   notify(RunEvent::resumed);
 }

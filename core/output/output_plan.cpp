@@ -3,10 +3,10 @@
 
 #include <fmt/format.h>
 
-#include <filesystem>
-#include <map>
+#include <algorithm>
 #include <utility>
 
+#include "core/base/file_paths.hpp"
 #include "core/definition/simulation.hpp"
 #include "core/mesh/mesh_parts.hpp"
 #include "core/output/single_values.hpp"
@@ -19,11 +19,14 @@ namespace {
 /// less then.
 constexpr std::int64_t max_steps_looked_at = 10'000'000;
 
+/// An output clashes with those before it, once.
 void check_clashes(const std::vector<std::string>& paths, const DeckName& region, Diagnostics& diagnostics) {
-  std::map<std::filesystem::path, int> n_uses;
-  for (const std::string& path : paths) {
-    if (++n_uses[std::filesystem::path(path).lexically_normal()] != 2) continue;
-    diagnostics.add_error(region.location, fmt::format("two outputs would write {}", path),
+  for (auto path = paths.begin(); path != paths.end(); ++path) {
+    const bool clashes = std::any_of(paths.begin(), path, [&](const std::string& other) {
+      return would_overwrite(*path, other) || would_overwrite(other, *path);
+    });
+    if (!clashes) continue;
+    diagnostics.add_error(region.location, fmt::format("two outputs would write {}", *path),
                           "DATABASE NAME or STREAM NAME gives each its own file");
   }
 }

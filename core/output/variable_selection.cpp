@@ -225,13 +225,13 @@ void fill(const VariableSelection& selection, const OutputContext& context, cons
   constexpr std::size_t piece_size = 1024;
   const std::size_t n_components = selection.n_components();
   const auto n_pieces = static_cast<std::ptrdiff_t>((range.count + piece_size - 1) / piece_size);
-#pragma omp parallel for schedule(static) num_threads(threads_for(range.count))
-  for (std::ptrdiff_t p = 0; p < n_pieces; ++p) {
+  // What a piece takes may not be there: of one thread that leaves the loop as an error.
+  parallel_for(n_pieces, threads_for(range.count), [&](std::ptrdiff_t p) {
     const std::size_t begin = static_cast<std::size_t>(p) * piece_size;
     const EntityRange piece{range.block, range.first + begin, std::min(piece_size, range.count - begin),
                             selection.point};
     fill_piece(selection, context, piece, values.subspan(begin * n_components, piece.count * n_components));
-  }
+  });
 }
 
 }  // namespace contactsim

@@ -4,7 +4,7 @@
 #include <filesystem>
 #include <system_error>
 
-#include "io/files/file_links.hpp"
+#include "core/base/file_paths.hpp"
 
 namespace contactsim {
 
@@ -14,7 +14,7 @@ OutputPlace::OutputPlace(const std::string& path) : target_(follow_links(path).s
   refuse_link_out_of_folder(path);
   std::error_code error;
   const bool writes_as_it_is = is_device(target_);
-  unfinished_ = writes_as_it_is ? target_ : target_ + ".part";
+  unfinished_ = writes_as_it_is ? target_ : unfinished_name(target_);
   // A link in its place would be followed.
   if (!writes_as_it_is && fs::is_symlink(unfinished_, error)) fs::remove(unfinished_, error);
 }

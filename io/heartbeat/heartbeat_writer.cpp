@@ -9,7 +9,7 @@
 #include <utility>
 
 #include "core/base/errors.hpp"
-#include "io/files/file_links.hpp"
+#include "core/base/file_paths.hpp"
 #include "io/files/format_clock.hpp"
 
 namespace contactsim {

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <memory>
 #include <new>
 #include <optional>
 #include <utility>
@@ -124,10 +125,22 @@ bool read_group(const Handle& group, const std::string& prefix, SavedState& stat
   return true;
 }
 
+/// What HDF5 does at the exit of the process brings that down after it had too little memory. Files are
+/// closed without it. Has effect before anything else of HDF5 is called.
+[[maybe_unused]] const herr_t without_exit = H5dont_atexit();
+
+/// Throws where there is not the memory that HDF5 takes for the cache of a file (half a megabyte), of which
+/// it does not look whether it gets it.
+void ask_for_cache() {
+  constexpr std::size_t n_bytes = 2 << 20;
+  const auto asked = std::make_unique<volatile char[]>(n_bytes);
+}
+
 }  // namespace
 
 Hdf5Image::Hdf5Image(std::size_t head_size, const SavedState& state) {
   be_quiet();
+  ask_for_cache();
   constexpr std::size_t growth = 4096;  // the size is a multiple of it
   const Handle creation(H5Pcreate(H5P_FILE_CREATE), H5Pclose), access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose);
   H5Pset_userblock(creation.id(), head_size);
@@ -143,6 +156,7 @@ Hdf5Image::~Hdf5Image() { H5Fclose(file_); }
 
 SavedState read_hdf5(const std::string& path) {
   be_quiet();
+  ask_for_cache();
   const Handle file(H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), H5Fclose);
   if (!file.is_open()) throw FileError(path, "cannot be opened as an HDF5 file");
   SavedState state(path);

@@ -178,6 +178,33 @@ TEST_CASE("a deck without contact writes empty tables", "[app][simulation]") {
   CHECK(directory.has("s.exo"));
 }
 
+TEST_CASE("a run without contact writes the tables that are asked for", "[app][simulation]") {
+  const contactsim::test::TwoBlocks directory;
+  std::string deck = directory.read("two_blocks.i");
+  const auto begin = deck.find("      begin contact definition");
+  deck.erase(begin, deck.find("      begin results output") - begin);
+  directory.write("a.i", deck);
+  const auto [code, out, err] =
+      directory.run({"a.i", "--surfaces-json", "s.json", "--surfaces-csv", "s.csv"});
+  CHECK(code == 0);
+  CHECK_THAT(directory.read("s.json"), Contains("\"surfaces\": []"));
+  CHECK(directory.read("s.csv") == "surface,block,element,side,kind,area\n");
+}
+
+TEST_CASE("a deck whose procedure another block has swallowed is refused at its first line",
+          "[app][simulation]") {
+  std::string deck = deck_of_regions({""});
+  deck.insert(deck.find("begin presto procedure"), "begin material unused\n");
+  const auto [code, out, err] = WithMesh(deck + "end\n").run({"a.i", "two_blocks.g"});
+  CHECK(code == 2);
+  CHECK_THAT(err, Contains("a.i:1:") && Contains("error: the deck has no procedure"));
+  deck = deck_of_regions({""});
+  deck.erase(deck.find("end\nbegin presto region"), 4);
+  const auto without_region = WithMesh(deck + "end\n").run({"a.i", "two_blocks.g", "--lenient"});
+  CHECK(without_region.exit_code == 2);
+  CHECK_THAT(without_region.err, Contains("a.i:4:") && Contains("error: the procedure has no region"));
+}
+
 TEST_CASE("the regions of all procedures are resolved, files of surfaces hold the first",
           "[app][simulation]") {
   const WithMesh directory(deck_of_regions(

@@ -36,6 +36,23 @@ TEST_CASE("two files that are not there yet clash when they are one", "[app][fil
         "the table would overwrite the log, no/such/a");
 }
 
+TEST_CASE("links to what is not there yet are followed", "[app][files]") {
+  const test::TemporaryDirectory directory;
+  std::filesystem::create_symlink("later", directory.file("first"));
+  std::filesystem::create_symlink("first", directory.file("second"));
+  CHECK(clash({}, {{directory.file("later"), "the log"}, {directory.file("second"), "the table"}}) != "");
+  std::filesystem::create_symlink("round", directory.file("round"));
+  CHECK(clash({}, {{directory.file("later"), "the log"}, {directory.file("round"), "the table"}}) == "");
+}
+
+TEST_CASE("no file takes the name under which another is written until it is complete", "[app][files]") {
+  CHECK(clash({}, {{"a.e", "the results"}, {"./a.e.part", "the log"}}) ==
+        "the log would overwrite the results, a.e");
+  CHECK(clash({{"a.e.part", "the mesh"}}, {{"a.e", "the results"}}) ==
+        "the results would overwrite the mesh, a.e.part");
+  CHECK(clash({{"a.e", "the mesh"}}, {{"a.e.part", "the log"}}) == "");
+}
+
 TEST_CASE("a device takes any number of files", "[app][files]") {
   CHECK(clash({}, {{"/dev/null", "the log"}, {"/dev/null", "the table"}}) == "");
 }

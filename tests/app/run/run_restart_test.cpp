@@ -170,6 +170,20 @@ TEST_CASE("a run that is over where it would go on says so", "[app][restart]") {
   CHECK_THAT(bar.run_deck(restart(every_ten), "restart = automatic\n", "3e-3").err, !Contains("[restart-"));
 }
 
+TEST_CASE("a run that a condition has ended does not go beyond it", "[app][restart]") {
+  const FlyingBar bar;
+  const std::string ended =
+      restart("at step 0 increment = 1\n") + "begin solution termination\nterminate global step >= 12\nend\n";
+  REQUIRE(bar.run_deck(ended, "restart = automatic\n").exit_code == 0);
+  const std::string last_line =
+      bar.read("a.csv").substr(bar.read("a.csv").rfind('\n', bar.read("a.csv").size() - 2));
+  const auto [code, out, err] = bar.run_deck(ended, "restart = automatic\n");
+  CHECK(code == 0);
+  CHECK_THAT(out, Contains("step is 12 >= 12"));
+  CHECK_THAT(err, Contains("[restart-over]") && Contains("SOLUTION TERMINATION"));
+  CHECK(end_of(bar.read("a.csv-s0002"), last_line) == last_line);
+}
+
 TEST_CASE("what has changed since a state was stored is told", "[app][restart]") {
   const FlyingBar bar;
   REQUIRE(bar.run_deck(restart(every_ten)).exit_code == 0);
@@ -190,7 +204,7 @@ TEST_CASE("a folder in which a run is writing its log is not for another one", "
   const FlyingBar bar;
   bar.write_deck("", "", "1e-4");
   {
-    const Log running(bar.path("a.log"));
+    const contactsim::Log running(bar.path("a.log"));
     const auto [code, out, err] = bar.run({"a.i"});
     CHECK(code == 3);
     CHECK_THAT(err, Contains("a.log") && Contains("its folder is already in use"));
@@ -258,7 +272,7 @@ TEST_CASE("states are kept from a run from the start when the deck says OVERWRIT
 }
 
 TEST_CASE("a signal ends the run after its step, and it goes on from there", "[app][restart]") {
-  const int number = GENERATE(SIGTERM, SIGINT);
+  const int number = GENERATE(SIGTERM, SIGINT, SIGHUP);
   const FlyingBar bar;
   bar.write_deck(restart(""), "", "100");
   const auto stopped = bar.run_and_signal({"a.i"}, "a.csv", number);

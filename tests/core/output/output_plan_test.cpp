@@ -4,6 +4,9 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
+#include <filesystem>
+
 #include "core/definition/simulation.hpp"
 #include "support/catch.hpp"
 #include "support/sample_run.hpp"
@@ -190,6 +193,22 @@ TEST_CASE("what outputs cannot do is said before anything is written", "[core][o
               "output-schedule-missing: only the first and the last state are written to deck.e",
               "error: two outputs would write deck.e"});
   CHECK(run.calls.empty());
+}
+
+TEST_CASE("outputs of one file are found however their paths are spelled", "[core][output]") {
+  const auto clashes = [](const std::string& one, const std::string& other) {
+    PlannedRun run;
+    run.region.results_outputs = {ResultsOutput{}, ResultsOutput{}};
+    run.region.results_outputs[0].database.name = DeckName{one, {}};
+    run.region.results_outputs[1].database.name = DeckName{other, {}};
+    run.make_plan();
+    const auto messages = run.messages();
+    return std::ranges::count(messages, "error: two outputs would write " + other) == 1;
+  };
+  CHECK(clashes("a.e", (std::filesystem::current_path() / "a.e").string()));
+  CHECK(clashes("a.e", "./a.e"));
+  CHECK(clashes("a.e", "a.e.part"));
+  CHECK_FALSE(clashes("a.e", "b.e"));
 }
 
 TEST_CASE("a termination ends the run, and its last state is written", "[core][output]") {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "io/files/file_links.hpp"
+#include "core/base/file_paths.hpp"
 
 #include <algorithm>
 #include <system_error>
@@ -37,6 +37,21 @@ fs::path follow_links(fs::path path) {
     path = target.is_absolute() ? target : path.parent_path() / target;
   }
   return path;
+}
+
+bool is_same_file(const fs::path& one, const fs::path& other) {
+  std::error_code ignored;
+  if (fs::equivalent(one, other, ignored)) return true;
+  const fs::path a = follow_links(one), b = follow_links(other);
+  if (a.filename() != b.filename()) return false;
+  // No path is made absolute, as that of the working folder may be too long.
+  return fs::equivalent(folder_of(a), folder_of(b), ignored) || a.lexically_normal() == b.lexically_normal();
+}
+
+std::string unfinished_name(const std::string& path) { return follow_links(path).string() + ".part"; }
+
+bool would_overwrite(const std::string& written, const std::string& other) {
+  return is_same_file(written, other) || is_same_file(unfinished_name(written), other);
 }
 
 void refuse_link_out_of_folder(const std::string& path) {
