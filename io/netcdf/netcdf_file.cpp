@@ -105,20 +105,23 @@ std::optional<NetcdfVariable> NetcdfFile::find_variable(const std::string& name)
   variable.is_text = type == NC_CHAR;
   variable.is_64_bit_integer = type == NC_INT64 || type == NC_UINT64;
   int storage = NC_CONTIGUOUS;
-  check(nc_inq_var_chunking(id_, variable.id, &storage, nullptr), what);
+  std::vector<std::size_t> chunk(variable.shape.size(), 0);
+  check(nc_inq_var_chunking(id_, variable.id, &storage, chunk.data()), what);
   variable.is_chunked = storage == NC_CHUNKED;
-  check_fits(variable);
+  check_fits(variable, variable.shape);
+  // HDF5 makes room for a whole chunk, however little of it is asked for.
+  if (variable.is_chunked && variable.size() > 0) check_fits(variable, chunk);
   return variable;
 }
 
-void NetcdfFile::check_fits(const NetcdfVariable& variable) const {
+void NetcdfFile::check_fits(const NetcdfVariable& variable, std::span<const std::size_t> lengths) const {
   nc_type type = NC_NAT;
   std::size_t bytes_per_value = 0;
   check(nc_inq_vartype(id_, variable.id, &type), variable.name);
   check(nc_inq_type(id_, type, nullptr, &bytes_per_value), variable.name);
   std::uint64_t room = variable.is_chunked ? file_size_ * largest_compression : file_size_;
   room /= std::max<std::size_t>(bytes_per_value, 1);
-  for (std::size_t length : variable.shape) {
+  for (const std::size_t length : lengths) {
     if (length == 0) return;
     room /= length;
   }

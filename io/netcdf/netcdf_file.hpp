@@ -72,7 +72,8 @@ class NetcdfFile {
 
  private:
   void check(int status, const std::string& what) const;
-  void check_fits(const NetcdfVariable& variable) const;
+  /// Throws when the file is too small for so many values of the variable's type.
+  void check_fits(const NetcdfVariable& variable, std::span<const std::size_t> lengths) const;
   std::optional<std::string> find_text_attribute(int variable, const std::string& name) const;
 
   std::string path_;

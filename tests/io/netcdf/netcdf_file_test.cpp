@@ -141,3 +141,21 @@ TEST_CASE("a file that netCDF cannot open is called what it is", "[io][netcdf]")
     CHECK(std::string(error.what()).starts_with(path + ": damaged or truncated HDF5 file ("));
   }
 }
+
+TEST_CASE("a variable in chunks that no file of this size can hold is refused", "[io][netcdf]") {
+  const SomeFile some(NC_NETCDF4, [](int file) {
+    const int steps = define_dimension(file, "steps", NC_UNLIMITED);
+    const int small = define(file, "small", NC_DOUBLE, {steps}),
+              huge = define(file, "huge", NC_DOUBLE, {steps});
+    const std::size_t one = 1, many = std::size_t{1} << 27, first = 0;
+    check(nc_def_var_chunking(file, small, NC_CHUNKED, &one));
+    check(nc_def_var_chunking(file, huge, NC_CHUNKED, &many));
+    check(nc_enddef(file));
+    const double value = 1.0;
+    check(nc_put_var1_double(file, small, &first, &value));
+  });
+  const NetcdfFile file(some.path());
+  CHECK(file.find_variable("small"));
+  CHECK_THROWS_WITH(file.find_variable("huge"),
+                    some.path() + ": variable huge claims more values than the file can hold");
+}
