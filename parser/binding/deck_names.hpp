@@ -50,8 +50,8 @@ class DeckNames {
   Diagnostics& problems_of_lines(Diagnostics& otherwise);
   /// What is wrong with the current block as a whole: counts as the names in it do.
   Diagnostics& problems_of_block() { return blocks_[current_].of_block; }
-  /// Lines of the current block could not be read. That is the likely cause of its errors as a whole, which are
-  /// forgotten when it has no blocks inside.
+  /// Lines of the current block could not be read. That is the likely cause of its errors as a whole, which
+  /// are forgotten when it has no blocks inside.
   void note_wrong_lines();
   /// Adds one of them under the block's name: "the spot weld 'w'" and `text`, which goes on "has no SURFACE".
   void add_problem_of_block(std::string_view text, std::string hint = "");

@@ -13,7 +13,8 @@ using namespace contactsim::test;
 
 TEST_CASE("no text of the fuzzer's corpus, whole or cut short, does harm", "[parser][fuzz]") {
   std::vector<std::filesystem::path> paths;
-  for (const auto& entry : std::filesystem::directory_iterator(CONTACTSIM_SOURCE_DIR "/tests/campaigns/decks/corpus")) {
+  for (const auto& entry :
+       std::filesystem::directory_iterator(CONTACTSIM_SOURCE_DIR "/tests/campaigns/decks/corpus")) {
     paths.push_back(entry.path());
   }
   std::sort(paths.begin(), paths.end());

@@ -253,9 +253,10 @@ TEST_CASE("Poisson's ratio keeps to its range", "[parser][material]") {
 }
 
 TEST_CASE("what a material lacks behind a line that cannot be read is not told", "[parser][material]") {
-  CHECK(using_model("elastic",
-                    "density = -1\nbegin parameters for model elastic\n  youngs modulus = 1\n  poissons ratio = "
-                    "-3\nend\n")
+  CHECK(using_model(
+            "elastic",
+            "density = -1\nbegin parameters for model elastic\n  youngs modulus = 1\n  poissons ratio = "
+            "-3\nend\n")
             .messages ==
         "a.i:3:11: error: 'density' must be greater than 0, found '-1'\n"
         "a.i:6:20: error: 'poissons ratio' must be greater than -1 and less than 0.5, found '-3'\n");
