@@ -204,7 +204,8 @@ bool NodeFaceContacts::projects_inside(const ContactStepContext& context, FaceIn
 }
 
 /// The node's share in what both ways of the pair do together. To forces along the gap that only the sum of
-/// both ways matters to, half will do; a pull has the traction that its law says on all of the area.
+/// both ways matters to, half will do; a pull has the traction that its law says on all of the area. A node
+/// that is inside is pushed out as without a pull, also one whose faces lie beside the other side.
 double NodeFaceContacts::share_of(const ContactStepContext& context, SurfaceNodeIndex row,
                                   const NearFace& near_face) const {
   if (contact_mesh_.surface_nodes[row].radius > 0.0f) return 1.0;  // no face's nodes meet spheres in turn
@@ -212,7 +213,8 @@ double NodeFaceContacts::share_of(const ContactStepContext& context, SurfaceNode
   if (!rule.acts_apart()) return rule.pair->node_share();
   const NearPair near_pair{row.value, near_face.face, near_face.pair, true,
                            std::max(rule.activation_distance, near_face.penalty.depth)};
-  return node_share(context, candidates_, near_pair, near_face.weights);
+  const double of_pull = node_share(context, candidates_, near_pair, near_face.weights);
+  return near_face.point.gap < 0.0 ? std::max(of_pull, rule.pair->node_share()) : of_pull;
 }
 
 ContactPoint NodeFaceContacts::make_contact_point(const ContactStepContext& context, SurfaceNodeIndex row,
