@@ -132,8 +132,7 @@ def difference(variant, first, second):
 
 
 def depends_on_order(variant):
-    """A new pair of faces takes over what momentum balance knows of its first face (ContactHistory::recall), so that what
-    passes have left depends on which side is the first."""
+    """What the passes of momentum balance leave between faces depends on which side is the first, in one of twenty scenes."""
     contact = variant.scene["contact"]
     return variant.name == "blocks" and contact["enforcement"] == "" and contact["formulation"] != "node_face"
 
