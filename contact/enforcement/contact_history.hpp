@@ -3,7 +3,6 @@
 
 #include <Eigen/Core>
 #include <cstdint>
-#include <span>
 #include <utility>
 #include <vector>
 
@@ -28,18 +27,15 @@ class ContactHistory {
   };
 
   /// What is known of a contact point. A new one takes over the mean over area of what is known of its pair
-  /// of entities, or else of both faces or edges, or of its node, whichever side is the first. Quick where
-  /// points are asked for in ascending order. Returns false when nothing is known.
+  /// of entities, or else of its first entity. Quick where points are asked for in ascending order. Returns
+  /// false when nothing is known.
   bool recall(const ContactPoint& point, Entry& found);
 
   /// The normal force of all that is known between the two entities of a point [force].
   double force_between(const ContactPoint& point) const;
 
   /// Forgets all, and remembers the points that follow.
-  void begin() {
-    entries_.clear();
-    by_second_.clear();
-  }
+  void begin() { entries_.clear(); }
   void remember(const ContactPoint& point, const Entry& entry);
   void end();
 
@@ -58,18 +54,11 @@ class ContactHistory {
   struct KnownPoint : PointId, Entry {};
 
   static PointId id_of(const ContactPoint& point);
-  /// Entries of which a mean over area is taken.
-  class Mean;
+  template <class IsWanted>
+  bool find_mean(const IsWanted& is_wanted, Entry& found) const;
 
-  /// The numbers of the entries of a kind that have the entity as their first, or as their second.
-  std::pair<std::size_t, std::size_t> with_first(std::uint32_t kind, std::uint32_t first) const;
-  std::span<const std::uint32_t> with_second(std::uint32_t kind, std::uint32_t second);
-  bool find_mean_of_pair(const PointId& wanted, Entry& found) const;
-  bool find_mean_of_entities(const PointId& wanted, Entry& found);
-
-  std::vector<KnownPoint> entries_;       // ascending by key
-  std::vector<std::uint32_t> by_second_;  // numbers of entries by kind and second, empty until asked for
-  std::size_t cursor_ = 0;                // first one that is not before what was asked for last
+  std::vector<KnownPoint> entries_;  // ascending by key
+  std::size_t cursor_ = 0;           // first one that is not before what was asked for last
 };
 
 }  // namespace contactsim
