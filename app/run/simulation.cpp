@@ -99,7 +99,7 @@ void Simulation::resume() {
   run.energy_warnings.begin(run.state);
   run.outputs.resume(run.state);
   // A state may be stored where a condition ended the run, which the next step would go beyond.
-  run.end = run.find_end();
+  run.end = run.outputs.check_restored_termination(run.state);
   warn_of_restart(run.restart, changed, is_over(), run.diagnostics);
   run.restart.begin(run.state);
   notify(RunEvent::resumed);

@@ -119,8 +119,8 @@ void PreloadForces::archive(StateArchive& saved) {
   if (saved.restores() ? !saved.has(name) : entries_.empty() && before_.empty()) return;
   const auto visit = [](Entry& entry, RowNumbers& row) { row(entry.node, entry.force, entry.moment); };
   saved.rows(name, entries_, visit);
-  saved.rows(name + "/before", before_, visit);
-  saved.rows(name + "/first", first_, visit);
+  saved.rows(name + "_before", before_, visit);
+  saved.rows(name + "_at_first", first_, visit);
   saved.numbers("contact/preload_times", begins_, ends_, last_lack_, n_settled_);
 }
 

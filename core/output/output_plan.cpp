@@ -133,6 +133,10 @@ std::optional<EarlyEnd> OutputPlan::check_termination(const State& state) {
   return terminations_.find_end(context);
 }
 
+std::optional<EarlyEnd> OutputPlan::check_restored_termination(const State& state) const {
+  return terminations_.find_end({model_, state});
+}
+
 bool OutputPlan::find_due(const OutputTime& now) {
   bool has_results = false, has_history = false, is_any = false;
   for (Results& results : results_) {

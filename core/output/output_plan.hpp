@@ -44,6 +44,8 @@ class OutputPlan {
   /// Brings what the deck computes to the state, and says whether a SOLUTION TERMINATION ends the run with
   /// it. To be called once for the state of the start and that after every step, before write().
   std::optional<EarlyEnd> check_termination(const State& state);
+  /// The same of a state that has been restored, whose user variables are those of its step already.
+  std::optional<EarlyEnd> check_restored_termination(const State& state) const;
 
   /// Writes what is due.
   ///   is_last  the run ends with this state

