@@ -70,11 +70,8 @@ void PreloadForces::settle(ContactAssembler& assembler) {
   const bool shrinks = lacking < at_rest * last_lack_;
   last_lack_ = lacking;
   ++n_settled_;
-  if (n_settled_ > n_tried && !shrinks) {
-    // What only grows is no rest: contact begins as it would without.
-    if (n_settled_ == n_tried + 1) entries_ = first_;
-    before_.clear();
-  } else {
+  const bool is_over = n_settled_ > n_tried && !shrinks;
+  if (!is_over) {
     std::vector<Entry> held(std::move(lack));
     for (const Entry& entry : held) assembler.add_node(entry.node, entry.force, entry.moment);
     for (const Entry& entry : entries_) {
@@ -83,10 +80,12 @@ void PreloadForces::settle(ContactAssembler& assembler) {
     }
     entries_ = std::move(held);
     erase_zeros(entries_);
+  } else if (n_settled_ == n_tried + 1) {
+    entries_ = first_;  // what only grows is no rest: contact begins as it would without
   }
-  share_of_before_ =
-      before_.empty() ? share_of_before_ : size_of(entries_) / std::max(size_of(before_), 1e-300);
-  if (n_settled_ > most) before_.clear();
+  const double pressed = size_of(before_);
+  share_of_before_ = pressed > 0.0 ? size_of(entries_) / pressed : 0.0;
+  if (is_over || n_settled_ > most) before_.clear();
 }
 
 void PreloadForces::clear() {

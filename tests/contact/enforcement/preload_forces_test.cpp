@@ -52,6 +52,7 @@ TEST_CASE("while contact finds its forces the nodes keep those of before", "[con
     }
     CHECK_FALSE(preload.is_settling());
     sums.push_back(preload.entries().at(0).force.z());
+    CHECK(preload.share_of_before() == Approx(0.1 * sums.back()));
     return sums;
   };
   // It comes to rest at 4, after which its forces count.
