@@ -74,6 +74,10 @@ CLI::Option* add_stages(CLI::App& app, Stage& stage) {
 
 }  // namespace
 
+bool asks_for_tables(const Options& options) {
+  return options.surfaces_json || options.surfaces_csv || options.surfaces_exodus;
+}
+
 std::string log_path(const Options& options) {
   return options.log.value_or(std::filesystem::path(options.deck).stem().string() + ".log");
 }

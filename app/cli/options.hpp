@@ -51,6 +51,9 @@ struct Options {
   ReportOptions report_of_results;  ///< of `contactsim report`
 };
 
+/// Whether a table of contact surfaces is to be written.
+bool asks_for_tables(const Options& options);
+
 /// The log file of a run: the one asked for, else <deck base>.log in the run directory.
 std::string log_path(const Options& options);
 

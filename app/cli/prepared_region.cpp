@@ -60,10 +60,6 @@ void find_overlaps(const DeckWay& way, PreparedRegion& prepared) {
   way.log.write(format_start_overlaps(prepared.overlaps, *prepared.contact, *prepared.mesh));
 }
 
-bool asks_for_tables(const Options& options) {
-  return options.surfaces_json || options.surfaces_csv || options.surfaces_exodus;
-}
-
 void resolve(const DeckWay& way, bool writes_tables, PreparedRegion& prepared) {
   // Without contact the tables that are asked for are empty.
   if (!prepared.region.contact && way.options.stage == Stage::run &&

@@ -67,7 +67,7 @@ std::size_t find_shown(const std::vector<ChosenRegion>& chosen) {
 
 void warn_of_hidden_tables(const Options& options, const std::vector<ChosenRegion>& chosen, std::size_t shown,
                            Diagnostics& warnings) {
-  if (!options.surfaces_json && !options.surfaces_csv && !options.surfaces_exodus) return;
+  if (!asks_for_tables(options)) return;
   for (std::size_t i = 0; i < chosen.size(); ++i) {
     if (i == shown || !chosen[i].region.contact) continue;
     warnings.add_warning("deck-region", chosen[i].procedure.name.location,

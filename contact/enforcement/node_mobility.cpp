@@ -79,9 +79,11 @@ void NodeMobility::set_nodes(const Model& model, const ModelFreeDirections& dire
     }
     General& general = make_general(i);
     general.translation = (free != nullptr ? *free : all) / mass;
+    general.translation_bound = largest_stretch(general.translation);
     if (!is_positive(inertia) || has_ring) continue;
     const Eigen::Matrix3d* free_turns = directions.of_turns(node.value);
     general.rotation = (free_turns != nullptr ? *free_turns : all) / inertia;
+    general.rotation_bound = largest_stretch(general.rotation);
   }
 }
 
@@ -91,6 +93,7 @@ void NodeMobility::set_bodies(const Model& model, const ModelFreeDirections& dir
     const Eigen::Matrix3d* free = directions.of_body(i);
     general.translation =
         (free != nullptr ? *free : Eigen::Matrix3d::Identity()) / model.rigid.bodies[i].mass;
+    general.translation_bound = largest_stretch(general.translation);
   }
 }
 
@@ -109,6 +112,7 @@ void NodeMobility::turn_bodies(const Model& model, const ModelFreeDirections& di
       const Eigen::Matrix3d inertia = *free * axes * body.inertia * axes.transpose() * *free;
       general.rotation = inverse_where_it_is(inertia);
     }
+    general.rotation_bound = largest_stretch(general.rotation);
   }
 }
 
@@ -119,8 +123,8 @@ std::uint32_t NodeMobility::use(std::uint32_t body) {
   Carrier& made = carriers_.emplace_back(body, general_[body], half_steps_ * inverse_mass_[body]);
   if (made.general) {
     const General& general = generals_[*made.general];
-    made.mobility = half_steps_ * largest_stretch(general.translation);
-    made.turn_bound = std::sqrt(half_steps_ * largest_stretch(general.rotation));
+    made.mobility = half_steps_ * general.translation_bound;
+    made.turn_bound = std::sqrt(half_steps_ * general.rotation_bound);
   }
   next_.changes.push_back(NodeVector::Zero());
   next_.turnings.push_back(NodeVector::Zero());

@@ -89,6 +89,7 @@ class NodeMobility {
   struct General {
     Eigen::Matrix3d translation = Eigen::Matrix3d::Zero();  // velocity per impulse [1/mass]
     Eigen::Matrix3d rotation = Eigen::Matrix3d::Zero();     // angular velocity per angular impulse
+    double translation_bound = 0.0, rotation_bound = 0.0;   // their largest eigenvalues
   };
   /// A carrier of the step.
   struct Carrier {

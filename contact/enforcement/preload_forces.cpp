@@ -59,7 +59,7 @@ void PreloadForces::begin(const ContactAssembler& now, double begins, bool settl
   erase_zeros(entries_);
   first_ = entries_;
   n_settled_ = 1;
-  if (!settles) before_.clear();
+  if (!settles) end_settling();
 }
 
 void PreloadForces::settle(ContactAssembler& assembler) {
@@ -85,12 +85,17 @@ void PreloadForces::settle(ContactAssembler& assembler) {
   }
   const double pressed = size_of(before_);
   share_of_before_ = pressed > 0.0 ? size_of(entries_) / pressed : 0.0;
-  if (is_over || n_settled_ > most) before_.clear();
+  if (is_over || n_settled_ > most) end_settling();
+}
+
+void PreloadForces::end_settling() {
+  before_.clear();
+  first_.clear();
 }
 
 void PreloadForces::clear() {
   entries_.clear();
-  before_.clear();
+  end_settling();
 }
 
 double PreloadForces::held(double time) const {

@@ -64,10 +64,11 @@ class PreloadForces {
 
   /// What a step lacks, and its size over that of the forces of before [1].
   double find_lack(const ContactAssembler& assembler, std::vector<Entry>& lack) const;
+  void end_settling();
 
   std::vector<Entry> entries_;
   std::vector<Entry> before_;  ///< [n_nodes] until contact has settled
-  std::vector<Entry> first_;   ///< what was held at first
+  std::vector<Entry> first_;   ///< what was held at first, until then
   double begins_ = 0.0, ends_ = 0.0;
   double share_of_before_ = 0.0;
   double last_lack_ = 0.0;  ///< of the step before, as find_lack() returns it [1]

@@ -44,6 +44,11 @@ void TieConstraints::add(Tie& tie) {
   }
 }
 
+void TieConstraints::add_term(std::uint32_t carrier, const Eigen::Matrix3d& weight,
+                              const Eigen::Vector3d& arm) {
+  terms_.push_back({carrier, weight, arm, bound_of(weight)});
+}
+
 void TieConstraints::add_first_terms(const Tie& tie, const TiePoint& point) {
   carriers_.clear();
   for (std::size_t k = 0; k < 4; ++k) {
@@ -51,7 +56,7 @@ void TieConstraints::add_first_terms(const Tie& tie, const TiePoint& point) {
     if (weight != 0.0) mobility_.add_terms(tie.nodes[k], weight, Eigen::Vector3d::Zero(), carriers_);
   }
   for (const CarrierTerm& term : carriers_)
-    terms_.push_back({term.carrier, term.weight * Eigen::Matrix3d::Identity(), term.arm});
+    add_term(term.carrier, term.weight * Eigen::Matrix3d::Identity(), term.arm);
 }
 
 void TieConstraints::add_second_terms(const Tie& tie, const TiePoint& point, const Eigen::Vector3d& offset,
@@ -64,14 +69,14 @@ void TieConstraints::add_second_terms(const Tie& tie, const TiePoint& point, con
   if (carriers_.size() == 1) {
     // One carrier, such as a rigid body, carries the point as it is.
     const CarrierTerm& term = carriers_.front();
-    terms_.push_back({term.carrier, -Eigen::Matrix3d::Identity(), term.arm + offset});
+    add_term(term.carrier, -Eigen::Matrix3d::Identity(), term.arm + offset);
     return;
   }
   for (std::size_t k = 0; k < 4; ++k) {
     if (transferred[k].isZero(0.0)) continue;
     carriers_.clear();
     mobility_.add_terms(tie.nodes[k + 4], 1.0, Eigen::Vector3d::Zero(), carriers_);
-    terms_.push_back({carriers_[0].carrier, -transferred[k], carriers_[0].arm});
+    add_term(carriers_[0].carrier, -transferred[k], carriers_[0].arm);
   }
 }
 
@@ -97,21 +102,21 @@ void TieConstraints::add_point(Tie& tie, std::uint32_t index, const Sides& sides
 }
 
 double TieConstraints::turn_size(const Term& term) const {
-  return mobility_.turn_bound(term.carrier) * bound_of(term.weight) * term.arm.norm();
+  return mobility_.turn_bound(term.carrier) * term.bound * term.arm.norm();
 }
 
 void TieConstraints::add_areas(LeaningAreas& areas) const {
   for (const Row& row : rows_) {
     const double area = area_of(row);
     for (const Term& term : terms_of(row)) {
-      areas[term.carrier][0] += area * bound_of(term.weight);
+      areas[term.carrier][0] += area * term.bound;
       areas[term.carrier][1] += area * turn_size(term);
     }
   }
 }
 
 double TieConstraints::share(const Term& term, const LeaningAreas& areas) const {
-  return mobility_.translation_bound(term.carrier) * bound_of(term.weight) * areas[term.carrier][0] +
+  return mobility_.translation_bound(term.carrier) * term.bound * areas[term.carrier][0] +
          turn_size(term) * areas[term.carrier][1];
 }
 
@@ -124,7 +129,7 @@ void TieConstraints::add_loads(const LeaningAreas& areas, std::vector<CarrierLoa
       CarrierLoad& load = loads[term.carrier];
       load.own += sides[side(term)];
       load.others += sides[1 - side(term)];
-      load.area += area_of(row) * bound_of(term.weight);
+      load.area += area_of(row) * term.bound;
     }
   }
 }

@@ -41,6 +41,7 @@ class TieConstraints {
     std::uint32_t carrier = 0;
     Eigen::Matrix3d weight;  // signed [1]
     Eigen::Vector3d arm;     // from the carrier [length]
+    double bound = 0.0;      // by how much the weight lengthens vectors at most [1]
   };
   struct Row {
     Tie* tie = nullptr;
@@ -65,6 +66,7 @@ class TieConstraints {
   double area_of(const Row& row) const { return row.tie->points[row.point].area; }
   Sides sides_of(const Tie& tie) const;
   void add_point(Tie& tie, std::uint32_t index, const Sides& sides);
+  void add_term(std::uint32_t carrier, const Eigen::Matrix3d& weight, const Eigen::Vector3d& arm);
   void add_first_terms(const Tie& tie, const TiePoint& point);
   void add_second_terms(const Tie& tie, const TiePoint& point, const Eigen::Vector3d& offset,
                         const std::array<Eigen::Matrix3d, 4>& transferred);

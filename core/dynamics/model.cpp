@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "core/dynamics/model.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 
 #include "core/definition/simulation.hpp"

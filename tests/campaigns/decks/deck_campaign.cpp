@@ -2,8 +2,6 @@
 // Random decks through the deck reader, in this process: see tests/campaigns/README.md.
 #include <omp.h>
 
-#include <cstdio>
-#include <exception>
 #include <fstream>
 #include <iterator>
 
@@ -50,15 +48,8 @@ class DeckCases : public CampaignCases {
 
 int main(int argc, char** argv) {
   using namespace contactsim::test;
-  try {
-    omp_set_num_threads(1);
-    const CampaignOptions options = read_campaign_options("decks", argc, argv);
-    DeckCases cases(options);
-    CaseLimits limits;
-    limits.cases_per_process = 100000;
-    return run_campaign(options, limits, cases);
-  } catch (const std::exception& error) {
-    std::fprintf(stderr, "campaign decks: %s\n", error.what());
-    return 2;
-  }
+  omp_set_num_threads(1);
+  CaseLimits limits;
+  limits.cases_per_process = 100000;
+  return run_campaign_program<DeckCases>("decks", argc, argv, limits);
 }

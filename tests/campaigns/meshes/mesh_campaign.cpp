@@ -5,8 +5,6 @@
 #include <omp.h>
 
 #include <array>
-#include <cstdio>
-#include <exception>
 #include <fstream>
 #include <iterator>
 
@@ -78,19 +76,13 @@ class MeshCases : public CampaignCases {
 
 int main(int argc, char** argv) {
   using namespace contactsim::test;
-  try {
-    omp_set_num_threads(1);
-    // Files of cases live in memory where they can.
-    if (std::filesystem::is_directory("/dev/shm")) setenv("TMPDIR", "/dev/shm", 0);
-    const CampaignOptions options = read_campaign_options("meshes", argc, argv);
-    MeshCases cases(options);
-    CaseLimits limits;
-    limits.seconds = 5.0;
-    limits.seconds_sanitized = 30.0;
-    limits.cases_per_process = 1000;
-    return run_campaign(options, limits, cases);
-  } catch (const std::exception& error) {
-    std::fprintf(stderr, "campaign meshes: %s\n", error.what());
-    return 2;
-  }
+  omp_set_num_threads(1);
+  // Files of cases live in memory where they can.
+  std::error_code ignored;
+  if (std::filesystem::is_directory("/dev/shm", ignored)) setenv("TMPDIR", "/dev/shm", 0);
+  CaseLimits limits;
+  limits.seconds = 5.0;
+  limits.seconds_sanitized = 30.0;
+  limits.cases_per_process = 1000;
+  return run_campaign_program<MeshCases>("meshes", argc, argv, limits);
 }

@@ -2,6 +2,8 @@
 #pragma once
 
 #include <cstdint>
+#include <cstdio>
+#include <exception>
 #include <filesystem>
 #include <string>
 
@@ -33,5 +35,19 @@ struct CaseLimits {
 /// finding, and the next goes on behind its case. Prints findings and the line that counts.
 /// Returns the exit code: 1 with findings.
 int run_campaign(const CampaignOptions& options, const CaseLimits& limits, CampaignCases& cases);
+
+/// The whole of a campaign's program: `Cases` are made of its options. Returns 2 when that cannot be done.
+template <class Cases>
+int run_campaign_program(const std::string& name, int argc, const char* const* argv,
+                         const CaseLimits& limits) {
+  try {
+    const CampaignOptions options = read_campaign_options(name, argc, argv);
+    Cases cases(options);
+    return run_campaign(options, limits, cases);
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "campaign %s: %s\n", name.c_str(), error.what());
+    return 2;
+  }
+}
 
 }  // namespace contactsim::test
