@@ -4,9 +4,9 @@
 # szz = -100 (Taylor and Papadopoulos 1991; El-Abbasi and Bathe 2001), with -D tied=1 -D amount=-100 it pulls by 100 and
 # stretches the blocks by 1e-4. With -D load=depth the top is lowered: two cubes of edge 1 and nu = 0 with -D penalty=1e9
 # resist by E ln(1 - depth/2) with multipliers, and by that behind the spring without (-D updates=0). Blocks of unlike meshes,
-# 2 high and lowered by 0.1, have their interface at -0.05 and a stress of E log(0.95) (code_aster's SSNP121): the worst element is
-# off by 2.3e-4 in place of 1e-4, as forces are balanced to 1e-4 and multipliers to 1e-3. An upper cube that is meshed 0.02 into the lower is
-# pushed out by the whole of it (CalculiX's example contact3).
+# 2 high and lowered by 0.1, have their interface at -0.05 and a stress of E log(0.95) (code_aster's SSNP121). A step takes as its
+# strain the motion over the length between its ends, 2 (1 - 0.95)/(1 + 0.95): off by 2.1e-4 in one step, by 5.3e-5 with
+# -D steps=2. An upper cube that is meshed 0.02 into the lower is pushed out by the whole of it (CalculiX's example contact3).
 #
 # {ifndef(form)}
 # {form = "face_face"}
@@ -31,6 +31,9 @@
 # {endif}
 # {ifndef(updates)}
 # {updates = 100}
+# {endif}
+# {ifndef(steps)}
+# {steps = 1}
 # {endif}
 # {ifndef(search)}
 # {search = "newton"}
@@ -69,7 +72,7 @@ begin sierra static patch test
       begin time stepping block all
         start time = 0
         begin parameters for adagio region blocks
-          time increment = 1
+          number of time steps = {steps}
         end
       end
       termination time = 1
