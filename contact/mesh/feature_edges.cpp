@@ -103,7 +103,7 @@ bool is_between(const ContactKinematics& kinematics, const ContactEdge& edge,
 }
 
 std::optional<EdgeGap> gap_of_sharp(const ContactKinematics& kinematics, const ContactEdge& first,
-                                    const ContactEdge& second, const Eigen::Vector3d& apart) {
+                                    const ContactEdge& second, const Eigen::Vector3d& apart, bool beside) {
   const Eigen::Vector3d p = kinematics.x(first.nodes[1]) - kinematics.x(first.nodes[0]);
   const Eigen::Vector3d q = kinematics.x(second.nodes[1]) - kinematics.x(second.nodes[0]);
   Eigen::Vector3d normal = p.cross(q);
@@ -112,11 +112,13 @@ std::optional<EdgeGap> gap_of_sharp(const ContactKinematics& kinematics, const C
   normal /= std::sqrt(square);
   // At their ends edges do not cross: the way between them is not along the normal.
   if ((apart - apart.dot(normal) * normal).norm() > just_beside * (p.norm() + q.norm())) return std::nullopt;
-  if (!is_between(kinematics, second, normal, well_between)) normal = -normal;
-  if (!is_between(kinematics, second, normal, well_between) ||
-      !is_between(kinematics, first, -normal, well_between))
-    return std::nullopt;
-  return EdgeGap{normal, apart.dot(normal)};
+  const auto meet = [&](double least) {
+    if (!is_between(kinematics, second, normal, least)) normal = -normal;
+    return is_between(kinematics, second, normal, least) && is_between(kinematics, first, -normal, least);
+  };
+  const bool is_of_faces = !meet(well_between);
+  if (is_of_faces && (!beside || !meet(just_between))) return std::nullopt;
+  return EdgeGap{normal, apart.dot(normal), is_of_faces};
 }
 
 }  // namespace
@@ -245,12 +247,12 @@ Eigen::Vector3d point_at(const ContactKinematics& kinematics, const ContactEdge&
 }
 
 std::optional<EdgeGap> find_edge_gap(const ContactKinematics& kinematics, const ContactEdge& first,
-                                     const ContactEdge& second, const EdgePairPoint& pair_point,
-                                     double depth) {
+                                     const ContactEdge& second, const EdgePairPoint& pair_point, double depth,
+                                     bool beside) {
   const Eigen::Vector3d apart =
       point_at(kinematics, first, pair_point.s) - point_at(kinematics, second, pair_point.t);
   if (first.is_sharp() && second.is_sharp()) {
-    const auto found = gap_of_sharp(kinematics, first, second, apart);
+    const auto found = gap_of_sharp(kinematics, first, second, apart, beside);
     return found && found->gap > -depth ? found : std::nullopt;
   }
   const double distance = apart.norm();

@@ -39,8 +39,9 @@ std::optional<FaceIndex> find_face_beyond(const ContactMesh& contact_mesh, FaceI
 
 /// How two edges stand to each other at a point.
 struct EdgeGap {
-  Eigen::Vector3d normal;  ///< unit, from the second edge to the first [1]
-  double gap = 0.0;        ///< < 0 when they touch [length]
+  Eigen::Vector3d normal;    ///< unit, from the second edge to the first [1]
+  double gap = 0.0;          ///< < 0 when they touch [length]
+  bool is_of_faces = false;  ///< sharp edges along the normal of a face, by which the face meets things too
 };
 
 /// The point of an edge at a share of its length [length].
@@ -48,11 +49,12 @@ Eigen::Vector3d point_at(const ContactKinematics& kinematics, const ContactEdge&
 
 /// The gap between two edges at their nearest points. Round edges meet all around. A sharp edge is met only
 /// where neither of its faces is: well between their normals. A line, of which faces
-/// meet the nodes only, meets it up to the normals. Nothing when they do not meet, or are as deep in each
-/// other as another wall.
-///   depth  of sharp edges at most [length]
+/// meet the nodes only, meets it up to the normals, and so does another sharp edge if that is asked for.
+/// Nothing when they do not meet, or are as deep in each other as another wall.
+///   depth   of sharp edges at most [length]
+///   beside  also sharp edges that are not well between the normals: is_of_faces
 std::optional<EdgeGap> find_edge_gap(const ContactKinematics& kinematics, const ContactEdge& first,
-                                     const ContactEdge& second, const EdgePairPoint& pair_point,
-                                     double depth);
+                                     const ContactEdge& second, const EdgePairPoint& pair_point, double depth,
+                                     bool beside = false);
 
 }  // namespace contactsim

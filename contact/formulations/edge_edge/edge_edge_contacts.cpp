@@ -16,6 +16,9 @@ namespace {
 /// Nearer than this share to an end of an edge a point is at the end.
 constexpr double at_end = 1e-9;
 
+/// How deep edges may be before they back up nodes, over the thinner side: nodes come first.
+constexpr double left_to_nodes = 0.02;
+
 bool is_inside(double share) { return share > at_end && share < 1.0 - at_end; }
 
 Segment segment_of(const ContactKinematics& kinematics, const ContactEdge& edge) {
@@ -36,6 +39,21 @@ Eigen::Vector3d velocity_at(const ContactKinematics& kinematics, const ContactPo
                             const Eigen::Vector3d& arm) {
   return side.weights[0] * kinematics.velocity_beside(side.nodes[0], arm) +
          side.weights[1] * kinematics.velocity_beside(side.nodes[1], arm);
+}
+
+/// Whether a point is farther than this from both ends of an edge, where flush rims cross.
+bool is_off_ends(const ContactKinematics& kinematics, const ContactEdge& edge, double share,
+                 double distance) {
+  const double length = (kinematics.x(edge.nodes[1]) - kinematics.x(edge.nodes[0])).norm();
+  return std::min(share, 1.0 - share) * length > distance;
+}
+
+/// Whether the edges of a pair stop what nodes on faces do not: the part of a face that hangs over an edge of
+/// the other side, away from all nodes. Where gaps are not those of the mesh, they know none of their own.
+bool backs_up_nodes(const PairRule& rule) {
+  const SurfacePair& pair = *rule.pair;
+  return rule.is_balanced && pair.formulation == ConstraintFormulation::node_face &&
+         pair.behavior != InteractionBehavior::infinitesimal_sliding && !pair.gap.needs_start();
 }
 
 /// Whether two sharp edges may cross, seen along the normal of both, near enough to touch soon. Says yes
@@ -223,16 +241,24 @@ ContactPoint EdgeEdgeContacts::make_contact_point(const ContactStepContext& cont
     return point;
   const PairPenalty penalty = make_pair_penalty(first.penalty_properties, &second.penalty_properties, rule);
   constexpr double infinite = std::numeric_limits<double>::infinity();
-  const auto found = find_edge_gap(context.kinematics, first, second, pair_point, infinite);
+  const bool backs_up = context.balances && backs_up_nodes(rule);
+  const auto found = find_edge_gap(context.kinematics, first, second, pair_point, infinite, backs_up);
   if (!found) return point;
+  const double thinner = std::min(first.penalty_properties.thickness, second.penalty_properties.thickness);
   point.normal = found->normal;
   point.gap = found->gap - offset;
+  if (found->is_of_faces) {
+    const double left = left_to_nodes * thinner;
+    if (!is_off_ends(context.kinematics, first, pair_point.s, left) ||
+        !is_off_ends(context.kinematics, second, pair_point.t, left))
+      return point;
+    point.gap += left;
+  }
   point.begin_gap = rule.begin_gap;
   const Eigen::Vector3d relative =
       velocity_at(context.kinematics, point.first, -point.first.radius * point.normal) -
       velocity_at(context.kinematics, point.second, point.second.radius * point.normal);
   const double closing = std::max(0.0, -relative.dot(point.normal)), closed = closing * context.dt;
-  const double thinner = std::min(first.penalty_properties.thickness, second.penalty_properties.thickness);
   const double margin = context.balances ? closed_share * thinner : 0.0;
   if (point.gap > std::max(margin, closing * context.ahead())) return point;
   const double deepest = touched && context.balances ? infinite

@@ -175,11 +175,14 @@ bool NodeFaceContacts::comes_from_outside(const ContactStepContext& context, con
 
 bool NodeFaceContacts::is_facing(const ContactStepContext& context, const SurfaceNode& node,
                                  const Eigen::Vector3d& normal) const {
+  // Where nothing may go through, a node at an edge that only leans over the face counts too.
+  const auto limit = [&](FaceIndex own) {
+    return context.balances ? max_facing_cosine_of_blade : facing_limit(contact_mesh_.faces[own].sharpness);
+  };
   bool has_faces = false;
   for (const FaceIndex own : contact_mesh_.faces_of_node.of(node.node)) {
     if (contact_mesh_.faces[own].surface != node.surface) continue;
-    if (context.kinematics.bound(own).normal().dot(normal.cast<float>()) <
-        static_cast<float>(facing_limit(contact_mesh_.faces[own].sharpness)))
+    if (context.kinematics.bound(own).normal().dot(normal.cast<float>()) < static_cast<float>(limit(own)))
       return true;
     has_faces = true;
   }
