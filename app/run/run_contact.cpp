@@ -144,18 +144,13 @@ void RunContact::add_suffix(const std::string& suffix) {
   }
 }
 
-bool RunContact::came_out_of_overlap(PairIndex pair) const {
-  if (!force_.rules()[pair].is_balanced) return false;
-  return begins_pressed_ || offset_overlaps_[pair] > 0.0 ||
-         std::ranges::any_of(input_.overlaps,
-                             [&](const StartOverlap& overlap) { return overlap.pair == pair; });
-}
-
 double RunContact::given_out_by_overlaps() const {
   double sum = 0.0;
   const auto histories = force_.histories();
   for (const PairIndex i : indices(histories)) {
-    if (came_out_of_overlap(i)) sum += std::max(0.0, histories[i].made());
+    if (!force_.rules()[i].is_balanced) continue;
+    const double made = std::max(0.0, histories[i].made());
+    sum += begins_pressed_ ? made : std::min(made, force_.recovery_energy().of_overlaps(i));
   }
   return sum;
 }
@@ -237,7 +232,7 @@ void RunContact::warn_of_small_sliding(Diagnostics& warnings) const {
 
 void RunContact::stop_at_runaway(const State& state) {
   const Energies& e = state.energies;
-  const double made = made_by_contact(force_, e);
+  const double made = made_by_contact(force_, e) - given_out_by_overlaps();
   const double put_in = std::max(0.0, e.start) + std::max(0.0, e.external) + std::max(0.0, -e.internal) +
                         force_.stored_at_start();
   // What comes out of overlaps by itself is not worth a word: all of the mass at a millionth of the model's
@@ -248,7 +243,6 @@ void RunContact::stop_at_runaway(const State& state) {
   n_runaway_steps_ = runs_away ? n_runaway_steps_ + 1 : 0;
   if (n_runaway_steps_ < longest_runaway || contact_.pairs.empty()) return;
   const PairIndex culprit = find_culprit(force_.histories());
-  if (came_out_of_overlap(culprit)) return;
   throw SolveError(
       state.time, fmt::format("contact between {} runs away: it has given out {:.3g} of energy from nowhere, "
                               "and all contact {:.3g}, more than all that was put into the model, {:.3g}",

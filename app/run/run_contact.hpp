@@ -85,7 +85,6 @@ class RunContact {
   void warn_of_lost(Diagnostics& warnings) const;
   void warn_of_penetration(Diagnostics& warnings) const;
   void warn_of_small_sliding(Diagnostics& warnings) const;
-  bool came_out_of_overlap(PairIndex pair) const;
 
   const RunInput& input_;
   const Model& model_;

@@ -119,6 +119,7 @@ void ContactConstraints::add(const ContactPoint& contact_point, const PairRule& 
   row.zero_gap = known ? known->zero_gap : 0.0;
   const double allowed = -left_gap(measured, thickness);
   row.start = measured.gap - contact_point.closing + allowed;
+  row.recovery = std::max(0.0, -measured.gap - allowed);
   row.pulls = contact_point.pulls;
   if (rule.friction > 0.0) add_friction(contact_point, rule, row);
   if (known) take_over(contact_point, *known, allowed, row);
@@ -257,17 +258,17 @@ ContactLoss ContactConstraints::finish() {
            loss);
   });
   history_.end();
-  begins_pressed_ = false;
+  begins_pressed_ = goes_on_ = false;
   return loss;
 }
 
 /// What a force loses in half of the step before. Before the first step the leapfrog stands mirrored, unless
-/// load steps before had pressed already.
+/// a procedure before had pressed already.
 ///   before   way of the first side along the second in the step before [length]
 ///   changed  by which all forces change that of the coming step [length]
 double ContactConstraints::lost_before(const Eigen::Vector3d& force, const ContactPoint& point,
                                        const Eigen::Vector3d& before, const Eigen::Vector3d& changed) const {
-  if (dt_before_ > 0.0 || begins_pressed_) return -0.5 * force.dot(before);
+  if (dt_before_ > 0.0 || begins_pressed_ || goes_on_) return -0.5 * force.dot(before);
   const Eigen::Vector3d begun = relative_velocity(point, false) - relative_velocity(point, true);
   return 0.25 * force.dot(2.0 * dt_ * begun + changed);
 }

@@ -11,6 +11,7 @@
 #include "contact/enforcement/constraint_pass.hpp"
 #include "contact/enforcement/contact_history.hpp"
 #include "contact/enforcement/point_carriers.hpp"
+#include "contact/enforcement/recovery_energy.hpp"
 #include "contact/formulations/contact_step_context.hpp"
 #include "contact/geometry/contact_point.hpp"
 #include "core/base/optional_index.hpp"
@@ -44,6 +45,8 @@ class ContactConstraints {
   /// driven, where nothing can be done, are no constraints any more.
   ///   least  softness by area of points between light carriers [length/(force length^2)]
   void set_softness(const LeaningAreas& areas, const LightCarriers& light, double least);
+  /// Has no more of penetrations come out than the energy of their pairs pays for; after set_softness().
+  void limit_recovery(RecoveryEnergy& recovery);
   /// Adds the points with light carriers to the rows of these.
   void add_rows(LightCarriers& light);
   /// What the point of such a row answers to a velocity of its light carriers.
@@ -65,6 +68,8 @@ class ContactConstraints {
   /// Hands over the points, for others in exchange.
   void swap_points(std::vector<ContactPoint>& points) { points_.swap(points); }
   ContactHistory& memory() { return history_; }
+  /// Goes on where contact of another explicit procedure ended, whose memory() it has.
+  void go_on() { goes_on_ = true; }
   /// Begins with contact points of load steps before the first step: their forces are those to begin with,
   /// and gaps of what they have pressed count from where they are.
   void begin_pressed(std::span<const ContactPoint> points);
@@ -77,6 +82,7 @@ class ContactConstraints {
     NodeVector force = NodeVector::Zero();  // on the first side [force]
     NodeVector ahead = NodeVector::Zero();  // that the next pass looks at [force]
     double start = 0.0;     // gap at the end of the step without forces, less what it may be [length]
+    double recovery = 0.0;  // of its penetration that is to come out [length]
     double zero_gap = 0.0;  // at which it just touches [length]
     double softness = 0.0;  // gap per force of this point when all have its pressure, at most [length/force]
     std::uint32_t point = 0;             // in points_
@@ -142,6 +148,7 @@ class ContactConstraints {
   std::vector<Grip> grips_;
   ContactHistory history_;
   bool begins_pressed_ = false;                   // the history is that of load steps
+  bool goes_on_ = false;                          // it is that of another explicit procedure
   std::map<PairIndex, double> pressed_by_nodes_;  // what they pressed [force]
 };
 

@@ -60,6 +60,7 @@ ContactForce::ContactForce(const ContactSetup& setup)
                  has_round_bodies(contact_mesh_)),
       offset_moments_(contact_mesh_, kinematics_, assembler_),
       histories_(setup.contact.pairs.size()),
+      recovery_energy_(setup.contact.pairs.size()),
       weighted_gaps_(find_finer_surfaces()),
       stabilization_(setup_, rules_, kinematics_of_mesh(contact_mesh_, *setup.model.mesh)) {
   kinematics_.turn_by(make_spins());
@@ -254,6 +255,7 @@ std::optional<ForceReport> ContactForce::balance(const State& state, Eigen::Matr
   context.balances = true;
   context.coming_dt = state.next_dt;
   balance_.begin(setup_.model, mobility_.free_directions(), kinematics_, state);
+  recovery_energy_.begin_step(rules_, histories_.all());
   const auto to_glue = detection_.visit_points(context, [&](const ContactPoint& point) {
     balance_.add(point, rules_.of(point), thinner_side(point));
   });
@@ -265,7 +267,8 @@ std::optional<ForceReport> ContactForce::balance(const State& state, Eigen::Matr
       balance_.push(held.node, held.force, held.moment);
     preload_forces_.add_to(assembler_, state.time);
   }
-  balance_report_ = balance_.solve(static_cast<int>(setup_.definition.enforcement.balance_iterations));
+  balance_report_ =
+      balance_.solve(static_cast<int>(setup_.definition.enforcement.balance_iterations), recovery_energy_);
   for (const ContactPoint& point : balance_.points()) add_to_sums(point);
   add_constraints(context, to_glue);
   if (preload_forces_.is_settling()) preload_forces_.settle(assembler_);

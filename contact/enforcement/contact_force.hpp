@@ -58,13 +58,14 @@ class ContactForce final : public ForceTerm, public StaticContact {
   ForceReport accept_trial(const Motion& motion, Eigen::Matrix3Xd& forces) override;
   const ContactMultipliers& multipliers() const { return multipliers_; }
 
-  /// Whether contact of load steps before has the same surfaces and pairs, so that take_over() can be called.
+  /// Whether contact of a procedure before has the same surfaces and pairs, so that take_over() can be
+  /// called.
   bool is_like(const ContactForce& earlier) const;
-  /// Takes over what contact of load steps before remembers, in load steps all of it: touch, friction, ties,
-  /// multipliers, sums. In explicit dynamics what is tied or glued goes on to be, with its forces. Pairs
-  /// whose momentum is balanced begin with the forces of contact, and what it has pressed counts as just
-  /// touching as it is; others begin anew. To be called before the first forces. Precondition:
-  /// is_like(earlier).
+  /// Takes over what contact of a procedure before remembers, of load steps in load steps and of explicit
+  /// dynamics in explicit dynamics all of it: touch, friction, ties, multipliers, sums. Else what is tied or
+  /// glued goes on to be. Behind load steps it does with its forces; pairs whose momentum is balanced begin
+  /// with those of contact, and what it has pressed counts as just touching as it is. Others begin anew. To
+  /// be called before the first forces. Precondition: is_like(earlier).
   ///   ended   motion at the end of the procedure before, where nothing moves any more (dt 0)
   ///   motion  of the start
   ///   until   explicit contact lets go by then what it does not press with by itself: PreloadForces [time]
@@ -91,6 +92,7 @@ class ContactForce final : public ForceTerm, public StaticContact {
   const PairRules& rules() const { return rules_; }
   const ContactSearch& search() const { return detection_.search(); }
   IndexedSpan<PairIndex, const PairHistory> histories() const { return histories_.all(); }
+  const RecoveryEnergy& recovery_energy() const { return recovery_energy_; }
   IndexedSpan<PairIndex, const PairStep> pair_steps() const { return assembler_.pairs(); }
   std::span<const NodeFriction> node_friction() const { return assembler_.friction(); }
   /// What a contact node has slipped as its surface lies in the motion seen last [length].
@@ -157,6 +159,7 @@ class ContactForce final : public ForceTerm, public StaticContact {
   double thinner_side(const ContactPoint& point) const;
   void remap(const ContactRemap& remap);
   void leave_surfaces(const ContactMesh& before, const Motion& motion);
+  bool goes_on_as(const ContactForce& earlier) const;
   std::uint64_t surfaces_digest() const;
   void archive_faces(StateArchive& saved);
 
@@ -185,6 +188,7 @@ class ContactForce final : public ForceTerm, public StaticContact {
   std::vector<ConstraintForces> constraint_forces_;    // of the step
   IndexedVector<SurfaceIndex, double> surface_rates_;  // scratch
   PairHistories histories_;
+  RecoveryEnergy recovery_energy_;
   ContactMultipliers multipliers_;       // of load steps
   HeldSlips held_slips_;                 // of the last load step
   WeightedGaps weighted_gaps_;           // of the last trial of a load step

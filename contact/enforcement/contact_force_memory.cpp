@@ -79,17 +79,30 @@ std::vector<ContactPoint> ContactForce::as_own_points(std::span<const ContactPoi
   return points;
 }
 
+/// Whether both are of load steps, or of explicit dynamics.
+bool ContactForce::goes_on_as(const ContactForce& earlier) const {
+  return setup_.is_static() == earlier.setup_.is_static();
+}
+
 bool ContactForce::is_like(const ContactForce& earlier) const {
   const SurfacePairs &pairs = setup_.contact.pairs, &others = earlier.setup_.contact.pairs;
   const auto has_same_enforcement = [](const SurfacePair& a, const SurfacePair& b) {
     return a.enforcement == b.enforcement;
   };
-  return earlier.setup_.is_static() && std::ranges::equal(pairs, others, are_like) &&
-         (!setup_.is_static() || std::ranges::equal(pairs, others, has_same_enforcement)) &&
+  return std::ranges::equal(pairs, others, are_like) &&
+         (!goes_on_as(earlier) || std::ranges::equal(pairs, others, has_same_enforcement)) &&
          surfaces_digest() == earlier.surfaces_digest();
 }
 
 void ContactForce::take_over(ContactForce& earlier, const Motion& ended, const Motion& motion, double until) {
+  if (goes_on_as(earlier)) {
+    StateArchive saves;
+    earlier.archive(motion, saves);
+    const SavedState memory = saves.take();
+    StateArchive restores(memory);
+    balance_.go_on();
+    return archive(motion, restores);
+  }
   if (!setup_.is_static()) {
     // Found anew: where that procedure went on from its last state alone there are none.
     Eigen::Matrix3Xd forces = Eigen::Matrix3Xd::Zero(3, ended.coordinates.cols());
@@ -97,15 +110,10 @@ void ContactForce::take_over(ContactForce& earlier, const Motion& ended, const M
     earlier.try_forces(ended, forces, nullptr);
     balance_.begin_pressed(as_own_points(earlier.trial_->points));
     preload_forces_.take_over(earlier.trial_->assembler, until);
-    kinematics_.set_offsets(earlier.kinematics_.offsets());
-    constrained_ = earlier.constrained_;
-    return detection_.begin_with_ties(earlier.ties());
   }
-  StateArchive saves;
-  earlier.archive(motion, saves);
-  const SavedState memory = saves.take();
-  StateArchive restores(memory);
-  archive(motion, restores);
+  kinematics_.set_offsets(earlier.kinematics_.offsets());
+  constrained_ = earlier.constrained_;
+  detection_.begin_with_ties(earlier.ties());
 }
 
 /// Holds what contact pressed with before and does not by itself.
@@ -163,6 +171,7 @@ void ContactForce::archive(const Motion& motion, StateArchive& saved) {
   balance_.archive(saved);
   saved.numbers("contact/impact_loss", last_loss_.friction_after, last_loss_.impact_after);
   histories_.archive(saved);
+  recovery_energy_.archive(saved);
   preload_forces_.archive(saved);
   multipliers_.archive("contact/multipliers", saved);
   held_slips_.archive("contact/held_slips", saved);

@@ -115,13 +115,14 @@ void MomentumBalance::choose_passes(std::int64_t n_passes, double share, double 
 ///   z^2 (I - S)^-1 u - ((2 - dt^2 M^-1 K) z - 1) u = 0,
 /// where no |z| > 1 only if no eigenvalue of I - S is negative; accelerated passes alone leave negative ones,
 /// by which a light sheet between heavier bodies makes energy.
-BalanceReport MomentumBalance::solve(int max_iterations) {
+BalanceReport MomentumBalance::solve(int max_iterations, RecoveryEnergy& recovery) {
   BalanceReport report;
   const std::int64_t n_passes =
       ties_.empty() ? std::min<std::int64_t>(n_passes_, max_iterations) : max_iterations;
   const auto half = static_cast<std::size_t>(std::max<std::int64_t>(1, n_passes / 2));
   mobility_.begin_passes();
   set_softness();
+  contacts_.limit_recovery(recovery);
   push_forces();
   momenta_.clear();
   double momentum = 0.0, before = 1.0, share = 1.0, since_restart = 0.0;

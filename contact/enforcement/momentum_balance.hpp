@@ -7,6 +7,7 @@
 
 #include "contact/enforcement/contact_constraints.hpp"
 #include "contact/enforcement/node_mobility.hpp"
+#include "contact/enforcement/recovery_energy.hpp"
 #include "contact/enforcement/tie_constraints.hpp"
 
 namespace contactsim {
@@ -57,7 +58,8 @@ class MomentumBalance {
   /// The points in the order of add() with the forces that the passes begin with.
   std::vector<ContactPoint> begun_points() const { return contacts_.begun_points(); }
   /// Finds the forces.
-  BalanceReport solve(int max_iterations);
+  ///   recovery  what bringing out penetrations may take; overlaps of pairs that begin are added
+  BalanceReport solve(int max_iterations, RecoveryEnergy& recovery);
   /// The points in the order of add(), with force, friction, slip and what is lost.
   std::span<const ContactPoint> points() const { return contacts_.points(); }
   const ContactLoss& loss() const { return loss_; }
@@ -68,6 +70,8 @@ class MomentumBalance {
   /// Hands over the points, for others in exchange.
   void swap_points(std::vector<ContactPoint>& points) { contacts_.swap_points(points); }
 
+  /// Goes on where contact of another explicit procedure ended: ContactConstraints::go_on().
+  void go_on() { contacts_.go_on(); }
   /// Begins with contact points of load steps before the first step: ContactConstraints::begin_pressed().
   void begin_pressed(std::span<const ContactPoint> points) { contacts_.begin_pressed(points); }
   /// Goes over to other faces and nodes.

@@ -102,6 +102,39 @@ TEST_CASE("momentum balance closes the gap and no more, alike on both sides", "[
   CHECK(kinetic(after) <= kinetic(blocks.state.velocity));
 }
 
+TEST_CASE(
+    "what has penetrated comes out by the energy that impacts have lost, or that overlaps of the start take",
+    "[contact][enforcement]") {
+  const std::string formulation = GENERATE(std::string(), node_face);
+  const Eigen::Vector3d still = Eigen::Vector3d::Zero();
+  ClosingBlocks overlapping(formulation, -1e-3);
+  const Eigen::Matrix3Xd after = overlapping.velocity_after(overlapping.forces_at(still));
+  const double given = 0.5 * after.cwiseAbs2().cwiseProduct(overlapping.bodies.model.mass).sum();
+  CHECK(given > 0.0);
+  CHECK(given < overlapping.bodies.contact.recovery_energy().of_overlaps({0}));
+
+  ClosingBlocks blocks(formulation, 1e-3);
+  const auto lower = [&] {
+    for (Eigen::Index i = 0; i < blocks.bodies.x.cols(); ++i) {
+      if (blocks.bodies.x(2, i) > 1.0) blocks.bodies.x(2, i) -= 2e-3;
+    }
+  };
+  CHECK(blocks.forces_at(still).isZero(0.0));
+  lower();
+  CHECK(blocks.forces_at(still).isZero(0.0));  // nothing has been lost yet
+
+  const double speed = GENERATE(0.02, 1.0);  // within the gap, and beyond
+  ClosingBlocks hit(formulation, 1e-3);
+  hit.forces_at({0, 0, -speed});
+  REQUIRE(hit.report);
+  const double lost = hit.report->impact_work;
+  CHECK(lost > 0.0);
+  for (Eigen::Index i = 0; i < hit.bodies.x.cols(); ++i) {
+    if (hit.bodies.x(2, i) > 1.0) hit.bodies.x(2, i) -= 2e-3;
+  }
+  CHECK(hit.forces_at(still).norm() > 0.0);
+}
+
 TEST_CASE("what a hit takes in the first step is lost", "[contact][enforcement]") {
   const std::string formulation = GENERATE(std::string(), node_face);
   ClosingBlocks blocks(formulation, 0.01, 2);
