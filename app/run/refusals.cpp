@@ -72,10 +72,6 @@ class TransferRefusals {
 void TransferRefusals::refuse_earlier() const {
   const Simulation& earlier = *input_.earlier;
   const DeckLocation& location = input_.procedure.transfers.front().name.location;
-  const bool has_contact = earlier.contact_force() != nullptr, is_static = earlier.load_steps() != nullptr;
-  if (has_contact && !is_static)
-    refuse_here(location, "contact in an explicit procedure before",
-                "the state of contact is not taken over yet");
   if (earlier.deaths() != nullptr && input_.region.element_deaths.empty())
     refuse_here(location, "ELEMENT DEATH in the procedure before alone",
                 "the same block in this region says which elements go on to die");
@@ -96,13 +92,14 @@ void TransferRefusals::refuse_initial_conditions() const {
   }
 }
 
-/// Whether a pair holds nothing from the start on, or may hold what load steps before have held: all of it in
-/// load steps, what never fails in explicit dynamics.
+/// Whether a pair holds nothing from the start on, or may hold what the procedure before has held: all of it
+/// in a procedure of the same kind, else what never fails.
 bool TransferRefusals::takes_over_holding(const SurfacePair& pair) const {
   const InterfaceLawRow& law = row_of(*pair.law);
   if (!law.holds_at_start) return true;
   if (input_.earlier->contact_force() == nullptr) return false;
-  return input_.procedure.implicit_by.has_value() || law.holding == ContactLaw::tied;
+  const bool was_static = input_.earlier->load_steps() != nullptr;
+  return input_.procedure.implicit_by.has_value() == was_static || law.holding == ContactLaw::tied;
 }
 
 /// What contact does once with the mesh, before the first step.

@@ -262,6 +262,50 @@ TEST_CASE("ties of load steps go on in those that follow", "[app][procedures][ti
     CHECK(blocks.column("c_rest", i).back() == Approx(blocks.column("c_whole", i).back()).margin(1e-9));
 }
 
+TEST_CASE("explicit contact goes on in explicit dynamics as if there were one procedure",
+          "[app][procedures]") {
+  const std::string lines = GENERATE(std::string(), std::string("constraint formulation = node_face\n"),
+                                     std::string("enforcement = penalty\n"));
+  const bool is_tied = GENERATE(false, true);
+  const auto make = is_tied ? tied_procedure : PressedBlocks::procedure;
+  const PressedBlocks blocks;
+  const auto run = blocks.run_deck(make("presto", "load", "0", "0.5", lines, "") +
+                                   make("presto", "rest", "0.5", "1", lines, ""));
+  CAPTURE(lines, is_tied, run.err);
+  REQUIRE(run.exit_code == 0);
+  CHECK_THAT(run.err, !Contains("[contact-begins-anew]"));
+  const double stored = blocks.column("rest", stored_by).back();
+  for (const double energy : blocks.column("rest", lost)) CHECK(std::abs(energy) < 1e-4 * stored);
+  REQUIRE(blocks.run_deck(make("presto", "whole", "0", "1", lines, "")).exit_code == 0);
+  for (const std::size_t i : {pressed_by, pushed_by, stored_by}) {
+    CHECK(blocks.column("rest", i).back() == Approx(blocks.column("whole", i).back()).epsilon(0.01));
+    CHECK(blocks.column("rest", i).front() == Approx(blocks.column("load", i).back()).epsilon(5e-3));
+  }
+  CHECK(blocks.column("rest", rubbed).back() ==
+        Approx(blocks.column("whole", rubbed).back()).margin(2e-4 * stored));
+}
+
+TEST_CASE("load steps behind explicit contact come to rest as load steps alone do", "[app][procedures]") {
+  const std::string lines = GENERATE(std::string(), std::string("constraint formulation = node_face\n"),
+                                     std::string("enforcement = penalty\n"));
+  const bool is_tied = GENERATE(false, true);
+  const auto make = is_tied ? tied_procedure : PressedBlocks::procedure;
+  const PressedBlocks blocks;
+  const auto run = blocks.run_deck(make("presto", "load", "0", "1", lines, "") +
+                                   make("adagio", "rest", "1", "2", lines, ""));
+  CAPTURE(lines, is_tied, run.err);
+  REQUIRE(run.exit_code == 0);
+  CHECK_THAT(run.err, !Contains("[contact-begins-anew]"));
+  const double pressed = blocks.column("rest", pressed_by).back(),
+               stored = blocks.column("rest", stored_by).back();
+  REQUIRE(blocks
+              .run_deck(make("adagio", "load", "0", "1", lines, "") +
+                        make("adagio", "still", "1", "2", lines, ""))
+              .exit_code == 0);
+  CHECK(pressed == Approx(blocks.column("still", pressed_by).back()).epsilon(1e-4));
+  CHECK(stored == Approx(blocks.column("still", stored_by).back()).epsilon(0.01));
+}
+
 TEST_CASE("ties are refused where no contact is taken over", "[app][procedures][ties]") {
   const PressedBlocks blocks;
   const auto run =
