@@ -18,6 +18,20 @@ def last_error(run, stress):
     return max(np.max(e) for e in errors)
 
 
+def nodal_error(run, cells):
+    """The largest error of a nodal contact force: the integral of the node's shape function over the uniform pressure."""
+    places = run.start + run.nodal("displacement")[-1]
+    forces = run.nodal("force_contact")[-1][:, 2]
+    total, errors = np.sum(forces[run.nodes_of(2)]), []
+    for block, n in zip((1, 2), cells):
+        nodes = run.nodes_of(block)[forces[run.nodes_of(block)] != 0]
+        x = places[nodes, :2]
+        at_border = np.isclose(x, x.min(axis=0)) | np.isclose(x, x.max(axis=0))
+        share = np.prod(np.where(at_border, 0.5, 1.0), axis=1) / n**2
+        errors.append(np.max(np.abs(np.abs(forces[nodes]) / (total * share) - 1)))
+    return max(errors)
+
+
 @case()
 def static_patch(bench):
     checks, runs = [], []
@@ -26,6 +40,11 @@ def static_patch(bench):
             runs.append(bench.run("static_patch", blocks(lower, upper), form=form, nu=nu))
             label = f"{form}, {upper}x{upper} on {lower}x{lower}, nu = {nu}: error of stress"
             checks.append(at_most(label, last_error(runs[-1], -100), 1e-3))
+    for form, (lower, upper) in itertools.product(FORMULATIONS, ((3, 2), (4, 2))):
+        runs.append(bench.run("static_patch", blocks(lower, upper), form=form, target=1e-9))
+        label = f"{form}, {upper}x{upper} on {lower}x{lower}, forces balanced to 1e-9"
+        checks += [at_most(f"{label}: error of stress", last_error(runs[-1], -100), 1e-6),
+                   at_most(f"{label}: error of a nodal force", nodal_error(runs[-1], (lower, upper)), 1e-6)]
     for form in FORMULATIONS:
         run = bench.run("static_patch", blocks(3, 2), form=form, tied=1, amount=-100)
         bar = 0.001 if form == "face_face" else 0.69
