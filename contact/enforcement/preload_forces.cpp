@@ -63,8 +63,8 @@ void PreloadForces::begin(const ContactAssembler& now, double begins, bool settl
 }
 
 void PreloadForces::settle(ContactAssembler& assembler) {
-  constexpr int n_tried = 3, most = 6;  // steps before a judgement, and in all
-  constexpr double at_rest = 0.95;      // what is lacking shrinks more slowly
+  constexpr int n_tried = 3, most = 12;  // steps before a judgement, and in all
+  constexpr double at_rest = 0.995;      // what is lacking shrinks more slowly
   std::vector<Entry> lack;
   const double lacking = find_lack(assembler, lack);
   const bool shrinks = lacking < at_rest * last_lack_;
