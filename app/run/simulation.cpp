@@ -147,6 +147,7 @@ void Simulation::finish() {
   run.whole_seconds = clock_seconds() - run.begun;
   run.load_step_warnings.end(run.state);
   if (run.contact) run.contact->warn_of_end(run.state, run.diagnostics);
+  if (run.is_settling()) run.warn_of_preload();
   notify(RunEvent::ended);
   if (run.contact) run.contact->write_debug_files();
 }

@@ -139,6 +139,10 @@ void Simulation::Parts::warn_of_new_contact() {
   }
 }
 
+bool Simulation::Parts::is_settling() const {
+  return takes_over_contact && contact->force().preload_forces().is_settling();
+}
+
 /// Warns of contact of load steps that explicit contact does not press with by itself.
 void Simulation::Parts::warn_of_preload() {
   constexpr double told = 0.01;
@@ -191,9 +195,9 @@ void Simulation::Parts::take_over() {
 
 void Simulation::Parts::advance() {
   if (load_steps) return load_steps->advance();
-  const bool was_settling = takes_over_contact && contact->force().preload_forces().is_settling();
+  const bool was_settling = is_settling();
   contactsim::advance(setup.model, terms(), setup.control, state);
-  if (was_settling && !contact->force().preload_forces().is_settling()) warn_of_preload();
+  if (was_settling && !is_settling()) warn_of_preload();
 }
 
 void Simulation::Parts::let_die() {
@@ -211,7 +215,7 @@ void Simulation::Parts::start_anew() {
     Energies& energies = state.energies;
     energies.start += energies.error - energies.contact;
     energies.error = energies.contact = 0.0;
-    if (!contact->force().preload_forces().is_settling()) warn_of_preload();
+    if (!is_settling()) warn_of_preload();
   }
   if (contact) contact->warn_of_start(diagnostics);
   // The step of rigid bodies alone is a proposal; contact makes its stiffness after it.

@@ -36,6 +36,8 @@ struct Simulation::Parts {
   /// The state that the procedure before has come to becomes that of the start, as far as it is taken over.
   void take_over();
   void warn_of_new_contact();
+  /// Whether contact taken over still finds its forces: PreloadForces.
+  bool is_settling() const;
   void warn_of_preload();
   void refuse_held_anew();
   /// Finds the forces of the start, and what they warn of.

@@ -224,6 +224,17 @@ TEST_CASE("an explicit run from a preload of tied bodies does not ring", "[app][
   }
 }
 
+TEST_CASE("what is held of a preload is told by a run that ends before contact has found its forces, too",
+          "[app][procedures][ties]") {
+  const std::string form = "constraint formulation = node_face\n";
+  const PressedBlocks blocks;
+  const auto run = blocks.run_deck(tied_procedure("adagio", "load", "0", "1", form) +
+                                   tied_procedure("presto", "hold", "1", "1.004", form));
+  REQUIRE(run.exit_code == 0);
+  CHECK(blocks.column("hold", moves_by).size() < 4);
+  CHECK_THAT(run.err, Contains("[contact-held]"));
+}
+
 TEST_CASE("what load steps have glued stays glued in explicit dynamics", "[app][procedures][ties]") {
   const std::string law = GENERATE(std::string(), std::string("enforcement = penalty\n"));
   const PressedBlocks blocks;
