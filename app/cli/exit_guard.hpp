@@ -15,4 +15,8 @@ namespace contactsim {
 ExitCode guard_exit(const std::function<ExitCode()>& work,
                     const std::function<void(const std::string&)>& write_line);
 
+/// Has lack of memory in a loop on threads, or in a library that lets no exception through, end the process
+/// as guard_exit() would: with its line on standard error and exit code 3, where C++ would abort.
+void end_without_memory();
+
 }  // namespace contactsim

@@ -5,6 +5,7 @@
 #include <csignal>
 #include <cstdlib>
 
+#include "app/cli/exit_guard.hpp"
 #include "app/cli/program.hpp"
 
 namespace {
@@ -34,5 +35,6 @@ int main(int argc, char** argv) {
   // So is a pipe whose reader has gone: the run goes on and writes its files.
   std::signal(SIGXFSZ, SIG_IGN);
   std::signal(SIGPIPE, SIG_IGN);
+  contactsim::end_without_memory();
   return contactsim::run_program(argc, argv);
 }

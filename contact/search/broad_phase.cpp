@@ -9,6 +9,8 @@
 #include <memory>
 #include <numeric>
 
+#include "core/base/memory_error.hpp"
+
 namespace contactsim {
 
 namespace {
@@ -55,9 +57,11 @@ std::unique_ptr<Tree> make_tree(std::span<const Box> boxes, std::span<const std:
     corners.emplace_back(box.hi[0], box.hi[1], box.hi[2]);
   }
   auto tree = std::make_unique<Tree>();
-  tree->beginModel(static_cast<int>(triangles.size()), static_cast<int>(corners.size()));
-  tree->addSubModel(corners, triangles);
-  tree->endModel();
+  const int n_triangles = static_cast<int>(triangles.size()), n_corners = static_cast<int>(corners.size());
+  // In this order they fail by lack of memory alone, which FCL does not throw.
+  if (tree->beginModel(n_triangles, n_corners) != fcl::BVH_OK ||
+      tree->addSubModel(corners, triangles) != fcl::BVH_OK || tree->endModel() != fcl::BVH_OK)
+    WorkInMemory::throw_bad_alloc();
   return tree;
 }
 
