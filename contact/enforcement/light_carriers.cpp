@@ -163,7 +163,10 @@ void LightCarriers::find_step() {
   const double enough = small * small * before;
   for (int i = 0; i < max_iterations && before > enough; ++i) {
     multiply(search_, product_);
-    const double along = before / dot(search_, product_);
+    const double resistance = dot(search_, product_);
+    if (!(resistance > 0.0))
+      break;  // round-off along what has no mass, such as the turn of a line about itself
+    const double along = before / resistance;
     for (std::size_t k = 0; k < x_.size(); ++k) {
       x_[k] += along * search_[k];
       residual_[k] -= along * product_[k];
@@ -183,6 +186,7 @@ double LightCarriers::go(const Answer& answer) {
   constexpr double too_far = 0.5;
   const Vectors start = impulse_;
   const double descent = dot(missing_, x_);
+  if (!(descent > 0.0)) return 0.0;  // of round-off
   double error = 0.0, share = 1.0;
   for (int i = 0; i < max_tries; ++i) {
     for (std::size_t k = 0; k < start.size(); ++k) impulse_[k] = start[k] + share * step_[k];

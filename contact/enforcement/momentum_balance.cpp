@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/base/errors.hpp"
 #include "core/base/state_archive.hpp"
 #include "core/dynamics/model.hpp"
 
@@ -31,6 +32,7 @@ void MomentumBalance::begin(const Model& model, const ModelFreeDirections& free,
   contacts_.begin(kinematics, state.dt, state.next_dt);
   ties_.begin(kinematics, state.next_dt);
   loss_ = {};
+  time_ = state.time;
 }
 
 void MomentumBalance::push(std::uint32_t node, const Eigen::Vector3d& force, const Eigen::Vector3d& moment) {
@@ -130,6 +132,7 @@ BalanceReport MomentumBalance::solve(int max_iterations, RecoveryEnergy& recover
     const bool is_first_half = i < half;
     momentum = !is_first_half ? momenta_[i - half] : i + 1 == half ? 0.0 : momentum_after(since_restart++);
     const ConstraintPass sums = pass(momentum);
+    if (!std::isfinite(sums.all)) throw SolveError(time_, "contact forces are not finite");
     ++report.n_iterations;
     report.residual = sums.all > 0.0 ? sums.changed / sums.all : 0.0;
     if (report.residual <= balanced) break;

@@ -57,7 +57,7 @@ class MomentumBalance {
   void spread_pressed() { contacts_.spread_pressed(); }
   /// The points in the order of add() with the forces that the passes begin with.
   std::vector<ContactPoint> begun_points() const { return contacts_.begun_points(); }
-  /// Finds the forces.
+  /// Finds the forces. Throws SolveError where they are not finite.
   ///   recovery  what bringing out penetrations may take; overlaps of pairs that begin are added
   BalanceReport solve(int max_iterations, RecoveryEnergy& recovery);
   /// The points in the order of add(), with force, friction, slip and what is lost.
@@ -95,6 +95,7 @@ class MomentumBalance {
   LightCarriers light_;
   std::vector<double> momenta_;  // of the passes of the first half
   ContactLoss loss_;
+  double time_ = 0.0;
   std::int64_t n_passes_ = 1000;  // of the next step at most
 };
 
