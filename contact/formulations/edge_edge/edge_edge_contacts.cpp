@@ -261,9 +261,8 @@ ContactPoint EdgeEdgeContacts::make_contact_point(const ContactStepContext& cont
   const double closing = std::max(0.0, -relative.dot(point.normal)), closed = closing * context.dt;
   const double margin = context.balances ? closed_share * thinner : 0.0;
   if (point.gap > std::max(margin, closing * context.ahead())) return point;
-  const double deepest = touched && context.balances ? infinite
-                         : touched                   ? depth_of_known(penalty.depth, before, closed)
-                                                     : std::max(penalty.depth, 1.5 * closed);
+  const double deepest =
+      touched ? depth_of_known(penalty.depth, before, closed) : std::max(penalty.depth, 1.5 * closed);
   if ((first.is_sharp() && second.is_sharp()) && point.gap < -deepest - std::max(offset, 0.0)) return point;
   // What turns up deep in each other went in elsewhere: pushing it out here would make energy from nothing.
   const bool is_sharp = first.is_sharp() || second.is_sharp();

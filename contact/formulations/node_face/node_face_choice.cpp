@@ -1,24 +1,28 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Which of the faces that a node is near to it touches.
 #include <algorithm>
+#include <cmath>
 
 #include "contact/formulations/node_face/near_faces.hpp"
 
 namespace contactsim {
 
 /// A node right behind an edge or a corner projects inside all its faces alike. Choosing one would push it
-/// aside, and which one it is would be chance: they share the node. Faces that lie in one plane need not.
-/// Returns how many faces, the first ones, share it.
+/// aside, and which one it is would be chance: they share the node. Faces that lie in one plane need not,
+/// where both push alike. Returns how many faces, the first ones, share it.
 std::size_t NodeFaceContacts::share_at_edge(double thickness, NearFaces& near_faces) {
   constexpr double alike = 1e-6, alike_over_thickness = 1e-4, one_plane = 1.0 - 1e-13;
   const ClosestPoint& first = near_faces.all[0].point;
+  const double stiffness = near_faces.all[0].penalty.stiffness;
   const double farthest = (1.0 + alike) * near_faces.all[0].distance + alike_over_thickness * thickness;
   std::size_t n = 1;
   for (std::size_t i = 1; i < near_faces.n; ++i) {
     const ClosestPoint& point = near_faces.all[i].point;
     const double cosine = first.normal.dot(point.normal);
     const bool is_farther = near_faces.all[i].distance > farthest;
-    if (cosine < NodeHistory::same_wall || cosine > one_plane || is_farther) continue;
+    const bool push_alike =
+        cosine > one_plane && std::abs(near_faces.all[i].penalty.stiffness - stiffness) <= alike * stiffness;
+    if (cosine < NodeHistory::same_wall || push_alike || is_farther) continue;
     std::swap(near_faces.all[i], near_faces.all[n++]);
   }
   for (std::size_t i = 0; i < n; ++i) near_faces.all[i].share = 1.0 / static_cast<double>(n);
