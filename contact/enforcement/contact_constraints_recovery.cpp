@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// How much of what has penetrated comes out in a step.
+#include <algorithm>
+#include <map>
+
+#include "contact/enforcement/contact_constraints.hpp"
+
+namespace contactsim {
+
+namespace {
+
+/// What comes out in a step whatever it takes, over the motion of the sides against each other: by that much
+/// of their speed they may part, and contact gives as much of what it takes in all.
+constexpr double free_recovery = 4e-3;
+
+}  // namespace
+
+/// Pushing out by r takes a force of that of the step before and r / c at least, which works along r. To part
+/// sides d deep takes no more than d^2 / 2 c: 1 / c is about the stiffness of what is behind a point, since
+/// the step is about the stable one.
+void ContactConstraints::limit_recovery(RecoveryEnergy& recovery) {
+  std::map<PairIndex, double> needed;
+  auto of_pair = needed.end();  // points of a pair follow each other, mostly
+  visit_rows([&](const Group& group, std::uint32_t i) {
+    const Row& row = rows_[i];
+    if (!(row.recovery > 0.0)) return;
+    const ContactPoint& point = points_[row.point];
+    const double depth = row.zero_gap - point.gap;
+    if (recovery.has_begun(point.pair)) recovery.add_overlap(point.pair, 0.5 * depth * depth / row.softness);
+    if (of_pair == needed.end() || of_pair->first != point.pair)
+      of_pair = needed.try_emplace(point.pair, 0.0).first;
+    of_pair->second +=
+        (std::max(0.0, row.force.dot(group.normal)) + row.recovery / row.softness) * row.recovery;
+  });
+  std::erase_if(needed, [&](const auto& of) { return of.second <= recovery.available(of.first); });
+  if (needed.empty()) return;
+  visit_rows([&](const Group&, std::uint32_t i) {
+    Row& row = rows_[i];
+    if (!(row.recovery > 0.0)) return;
+    const ContactPoint& point = points_[row.point];
+    const auto found = needed.find(point.pair);
+    if (found == needed.end()) return;
+    const double paid = recovery.available(found->first) / found->second * row.recovery;
+    const double slow = free_recovery * dt_ * relative_velocity(point, false).norm();
+    row.start += std::max(0.0, row.recovery - std::max(paid, slow));
+  });
+}
+
+}  // namespace contactsim
