@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <limits>
-#include <span>
 
 #include "contact/interface_laws/pair_rules.hpp"
 #include "core/base/state_archive.hpp"
@@ -23,13 +22,12 @@ void RecoveryEnergy::begin_step(const PairRules& rules, IndexedSpan<PairIndex, c
 }
 
 double RecoveryEnergy::available(PairIndex pair) const {
-  return std::max(0.0, pairs_[pair].taken + of_overlaps_[pair]);
+  return std::max(0.0, pairs_[pair].taken + pairs_[pair].of_overlaps);
 }
 
 void RecoveryEnergy::archive(StateArchive& saved) {
   saved.fixed_rows("contact/pairs/recovery", pairs_,
-                   [](Pair& pair, RowNumbers& row) { row(pair.is_active); });
-  saved.fixed("contact/pairs/overlap_energy", std::span(of_overlaps_));
+                   [](Pair& pair, RowNumbers& row) { row(pair.is_active, pair.of_overlaps); });
 }
 
 }  // namespace contactsim

@@ -273,21 +273,37 @@ TEST_CASE("ties of load steps go on in those that follow", "[app][procedures][ti
     CHECK(blocks.column("c_rest", i).back() == Approx(blocks.column("c_whole", i).back()).margin(1e-9));
 }
 
+namespace {
+
+/// Blocks that explicit contact presses by each formulation and enforcement, with friction or tied.
+struct BlocksPressedFast : PressedBlocks {
+  std::string part(const std::string& kind, const std::string& name, const std::string& start,
+                   const std::string& end) const {
+    return (is_tied ? tied_procedure : PressedBlocks::procedure)(kind, name, start, end, lines, "");
+  }
+  /// Runs two procedures, the second of which takes contact over.
+  void run_both(const std::string& first, const std::string& second) const {
+    const auto run = run_deck(first + second);
+    CAPTURE(lines, is_tied, run.err);
+    REQUIRE(run.exit_code == 0);
+    CHECK_THAT(run.err, !Contains("[contact-begins-anew]"));
+  }
+
+  std::string lines = GENERATE(std::string(), std::string("constraint formulation = node_face\n"),
+                               std::string("enforcement = penalty\n"));
+  bool is_tied = GENERATE(false, true);
+};
+
+}  // namespace
+
 TEST_CASE("explicit contact goes on in explicit dynamics as if there were one procedure",
           "[app][procedures]") {
-  const std::string lines = GENERATE(std::string(), std::string("constraint formulation = node_face\n"),
-                                     std::string("enforcement = penalty\n"));
-  const bool is_tied = GENERATE(false, true);
-  const auto make = is_tied ? tied_procedure : PressedBlocks::procedure;
-  const PressedBlocks blocks;
-  const auto run = blocks.run_deck(make("presto", "load", "0", "0.5", lines, "") +
-                                   make("presto", "rest", "0.5", "1", lines, ""));
-  CAPTURE(lines, is_tied, run.err);
-  REQUIRE(run.exit_code == 0);
-  CHECK_THAT(run.err, !Contains("[contact-begins-anew]"));
+  const BlocksPressedFast blocks;
+  blocks.run_both(blocks.part("presto", "load", "0", "0.5"), blocks.part("presto", "rest", "0.5", "1"));
   const double stored = blocks.column("rest", stored_by).back();
   for (const double energy : blocks.column("rest", lost)) CHECK(std::abs(energy) < 1e-4 * stored);
-  REQUIRE(blocks.run_deck(make("presto", "whole", "0", "1", lines, "")).exit_code == 0);
+  REQUIRE(blocks.run_deck(blocks.part("presto", "whole", "0", "1")).exit_code == 0);
+  CAPTURE(blocks.lines, blocks.is_tied);
   for (const std::size_t i : {pressed_by, pushed_by, stored_by}) {
     CHECK(blocks.column("rest", i).back() == Approx(blocks.column("whole", i).back()).epsilon(0.01));
     CHECK(blocks.column("rest", i).front() == Approx(blocks.column("load", i).back()).epsilon(5e-3));
@@ -297,22 +313,12 @@ TEST_CASE("explicit contact goes on in explicit dynamics as if there were one pr
 }
 
 TEST_CASE("load steps behind explicit contact come to rest as load steps alone do", "[app][procedures]") {
-  const std::string lines = GENERATE(std::string(), std::string("constraint formulation = node_face\n"),
-                                     std::string("enforcement = penalty\n"));
-  const bool is_tied = GENERATE(false, true);
-  const auto make = is_tied ? tied_procedure : PressedBlocks::procedure;
-  const PressedBlocks blocks;
-  const auto run = blocks.run_deck(make("presto", "load", "0", "1", lines, "") +
-                                   make("adagio", "rest", "1", "2", lines, ""));
-  CAPTURE(lines, is_tied, run.err);
-  REQUIRE(run.exit_code == 0);
-  CHECK_THAT(run.err, !Contains("[contact-begins-anew]"));
+  const BlocksPressedFast blocks;
+  blocks.run_both(blocks.part("presto", "load", "0", "1"), blocks.part("adagio", "rest", "1", "2"));
   const double pressed = blocks.column("rest", pressed_by).back(),
                stored = blocks.column("rest", stored_by).back();
-  REQUIRE(blocks
-              .run_deck(make("adagio", "load", "0", "1", lines, "") +
-                        make("adagio", "still", "1", "2", lines, ""))
-              .exit_code == 0);
+  blocks.run_both(blocks.part("adagio", "load", "0", "1"), blocks.part("adagio", "still", "1", "2"));
+  CAPTURE(blocks.lines, blocks.is_tied);
   CHECK(pressed == Approx(blocks.column("still", pressed_by).back()).epsilon(1e-4));
   CHECK(stored == Approx(blocks.column("still", stored_by).back()).epsilon(0.01));
 }
