@@ -170,7 +170,8 @@ void JointMaker::join(const EdgeOfShell& first, const EdgeOfShell& next) {
 }
 
 void JointMaker::close_ends() {
-  for (auto& [node, ends] : ends_) {
+  for (auto& entry : ends_) {
+    auto& ends = entry.second;
     while (!ends.empty()) {
       // A chain starts where nothing ends, or anywhere if it is closed.
       const auto is_same = [&](std::uint32_t a, std::uint32_t b) {

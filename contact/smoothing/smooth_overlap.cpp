@@ -110,7 +110,6 @@ double potential_at(const PairPenalty& penalty, double depth) {
 
 FaceFaceContact find_smooth_contact(const SmoothSides& sides, const PairPenalty& penalty,
                                     double activation_distance) {
-  const auto& [first, second, offset] = sides;
   FaceFaceContact contact;
   const SmoothOverlap overlap(sides, 0.0);
   if (!overlap.has_area() || !overlap.may_hold({-penalty.depth, activation_distance})) return contact;
@@ -122,8 +121,8 @@ FaceFaceContact find_smooth_contact(const SmoothSides& sides, const PairPenalty&
     double force = area * penalty.pressure_at(depth);
     contact.beyond_spring += area * potential_at(penalty, depth) - 0.5 * force * depth;
     if (penalty.damping > 0.0) {
-      const double speed = point.normal.dot(first.velocity_at(point.xi_1, point.eta_1) -
-                                            second.velocity_at(point.xi_2, point.eta_2));
+      const double speed = point.normal.dot(sides.first.velocity_at(point.xi_1, point.eta_1) -
+                                            sides.second.velocity_at(point.xi_2, point.eta_2));
       const double undamped = -penalty.damping * penalty.damping_factor(depth) * speed * area;
       const double damping = std::max(undamped, -force);
       contact.damped_power -= damping * speed;
@@ -150,7 +149,7 @@ FaceFaceContact find_smooth_contact(const SmoothSides& sides, const PairPenalty&
   contact.stiffness = penalty.slope(penalty.closing - contact.gap) * near_area;
   contact.overlaps = near_area > 0.0;
   if (!contact.overlaps) return contact;
-  const SurfaceWeights weights(first, second, forces.sum() > 0.0 ? forces : areas);
+  const SurfaceWeights weights(sides.first, sides.second, forces.sum() > 0.0 ? forces : areas);
   contact.normal = weights.normal;
   contact.weights_1 = weights.first;
   contact.weights_2 = weights.second;
