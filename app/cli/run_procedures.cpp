@@ -31,6 +31,7 @@ void obey(StopSignals& signals, Simulation& simulation) {
 /// The loop of a run.
 ExitCode run_steps(Simulation& simulation, StopSignals& signals) {
   ExitCode code = ExitCode::done;
+  simulation.stop_when([&signals] { return signals.find_stop(); });
   try {
     simulation.begin();
     obey(signals, simulation);

@@ -112,7 +112,7 @@ bool Simulation::is_over() const {
 void Simulation::step() {
   Parts& run = *parts_;
   try_to([&] {
-    run.advance();
+    if (!run.advance()) return stop(run.find_stop().value());
     run.energy_warnings.step(run.state);
     if (run.load_steps) run.load_step_warnings.step(run.state, run.load_steps->report());
     if (run.contact && !run.load_steps) run.contact->stop_at_runaway(run.state);
@@ -150,6 +150,12 @@ void Simulation::finish() {
   if (run.is_settling()) run.warn_of_preload();
   notify(RunEvent::ended);
   if (run.contact) run.contact->write_debug_files();
+}
+
+void Simulation::stop_when(std::function<std::optional<std::string>()> find_stop) {
+  parts_->find_stop = std::move(find_stop);
+  if (!parts_->load_steps) return;
+  parts_->load_steps->give_up_when([&run = *parts_] { return run.find_stop && run.find_stop().has_value(); });
 }
 
 void Simulation::stop(std::string reason) { parts_->stopped_by = std::move(reason); }

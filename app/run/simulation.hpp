@@ -88,6 +88,10 @@ class Simulation {
   /// Ends the run with the step that it has come to, with a stored state if it stores any.
   ///   reason  "SIGTERM"
   void stop(std::string reason);
+  /// Has a load step that is sought be given up, and the run be ended so with the step before it, once there
+  /// is a reason.
+  ///   find_stop  asked within the step
+  void stop_when(std::function<std::optional<std::string>()> find_stop);
   /// Stores a state to resume from now, if the region has RESTART DATA. Throws FileError.
   void store_restart();
 

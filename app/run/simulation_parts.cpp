@@ -193,11 +193,12 @@ void Simulation::Parts::take_over() {
   input.overlaps = overlaps;
 }
 
-void Simulation::Parts::advance() {
+bool Simulation::Parts::advance() {
   if (load_steps) return load_steps->advance();
   const bool was_settling = is_settling();
   contactsim::advance(setup.model, terms(), setup.control, state);
   if (was_settling && !is_settling()) warn_of_preload();
+  return true;
 }
 
 void Simulation::Parts::let_die() {

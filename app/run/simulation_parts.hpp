@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -42,8 +43,9 @@ struct Simulation::Parts {
   void refuse_held_anew();
   /// Finds the forces of the start, and what they warn of.
   void start_anew();
-  /// Moves the state by a step, explicit or to the next equilibrium. Throws SolveError.
-  void advance();
+  /// Moves the state by a step, explicit or to the next equilibrium. Returns false when the search for that
+  /// was given up, as stop_when() wants it. Throws SolveError.
+  bool advance();
   /// Has elements die that should at the end of a step, and load steps follow.
   void let_die();
   /// Why the run ends with its state, if it does.
@@ -71,8 +73,9 @@ struct Simulation::Parts {
   LoadStepWarnings load_step_warnings;
   std::vector<Observer> observers;
   StepReport at_start;
-  std::optional<EarlyEnd> end;            // why the run ends before its termination time
-  std::optional<std::string> stopped_by;  // a signal, say
+  std::optional<EarlyEnd> end;                            // why the run ends before its termination time
+  std::optional<std::string> stopped_by;                  // a signal, say
+  std::function<std::optional<std::string>()> find_stop;  // null: nobody asks for one within a step
   std::optional<std::string> failure;
   double begun = 0.0;  // of the clock [s]
   double whole_seconds = 0.0, output_seconds = 0.0, restart_seconds = 0.0;

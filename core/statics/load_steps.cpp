@@ -223,7 +223,20 @@ bool LoadSteps::try_step(double dt) {
   return true;
 }
 
-void LoadSteps::advance() {
+bool LoadSteps::advance() {
+  const LoadSchedule begun = schedule_;
+  try {
+    find_next();
+  } catch (const SearchGivenUp&) {
+    problem_.restore();
+    undo_deaths();
+    schedule_ = begun;
+    return false;
+  }
+  return true;
+}
+
+void LoadSteps::find_next() {
   report_ = {};
   double dt = state_.next_dt;
   const double begun = state_.time;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -50,9 +51,13 @@ class LoadSteps {
   ///   takes_over  the state is one that another procedure came to: what is out of balance in it is let go
   ///               evenly over the first time stepping block
   void start(bool takes_over = false);
-  /// Brings the state to the next equilibrium. Throws SolveError when none is found however small the step:
-  /// the state is then the last equilibrium.
-  void advance();
+  /// Brings the state to the next equilibrium. Returns false when it was given up on request: the state is
+  /// then the last equilibrium, and what comes next would be sought as if this had not been. Throws
+  /// SolveError when none is found however small the step: the state is then the last equilibrium, too.
+  bool advance();
+  /// Has the search for an equilibrium be given up once that is wanted.
+  ///   wants_end  asked before every evaluation of the forces
+  void give_up_when(std::function<bool()> wants_end) { problem_.give_up_when(std::move(wants_end)); }
 
   /// To be called once elements have died in the state: the next equilibrium is that of the living, and nodes
   /// without any stay where they are.
@@ -69,6 +74,7 @@ class LoadSteps {
   void archive(StateArchive& saved);
 
  private:
+  void find_next();
   bool try_step(double dt);
   bool seek(double dt, Eigen::VectorXd& increment);
   bool has_deaths(std::int64_t n_rounds);

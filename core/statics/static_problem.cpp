@@ -255,6 +255,7 @@ bool StaticProblem::evaluate(const Eigen::VectorXd& increment, Eigen::VectorXd& 
 }
 
 bool StaticProblem::evaluate_nodes(const Eigen::VectorXd& increment, Eigen::VectorXd& residual) {
+  if (wants_end_ && wants_end_()) throw SearchGivenUp{};
   recall_elements();
   move_to(increment);
   try {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <functional>
+#include <utility>
 #include <vector>
 
 #include "core/definition/solver.hpp"
@@ -15,6 +17,9 @@ namespace contactsim {
 
 class StateArchive;
 
+/// Thrown where the search for an equilibrium is given up on request.
+struct SearchGivenUp {};
+
 /// The forces of a model at the end of a load step, whose increment is sought: every evaluation begins with
 /// what elements remember of the step's start, so that trials leave no trace. Inertia has no part in it.
 class StaticProblem final : public Equilibrium {
@@ -23,6 +28,9 @@ class StaticProblem final : public Equilibrium {
   ///   contact  the same as that of the terms, null without
   StaticProblem(const Model& model, ForceTerms terms, StaticContact* contact, ResidualReference reference,
                 State& state);
+
+  /// Has evaluations throw SearchGivenUp once that is wanted; null: never.
+  void give_up_when(std::function<bool()> wants_end) { wants_end_ = std::move(wants_end); }
 
   /// Unknowns: 3 a node, 6 where nodes turn; of nodes of the mesh, then those of rigid bodies.
   Eigen::Index size() const { return state_.rotations.exist() ? 2 * n_ : n_; }
@@ -135,6 +143,7 @@ class StaticProblem final : public Equilibrium {
   Eigen::VectorXd moved(const Eigen::VectorXd& increment) const;
   void find_free();
 
+  std::function<bool()> wants_end_;
   const Model& model_;
   ForceTerms terms_;
   StaticContact* contact_;
