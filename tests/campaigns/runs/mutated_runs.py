@@ -11,7 +11,7 @@ from campaign import Campaign, scratch_folder
 from grammar import Grammar
 from harm import find_harm
 from mutate import Donors, Mutator
-from running import is_sanitized, run
+from running import run, time_limit
 from samples import Samples, ask_for_more, go_on_in_another, shorten, store_states
 
 
@@ -20,7 +20,8 @@ class MutatedRuns:
         self.program, self.folder = campaign.program, folder / "run"
         self.samples = Samples(campaign.source, folder)
         self.mutator = Mutator(Grammar(campaign.program), Donors(self.samples.texts))
-        self.limit = 60.0 if is_sanitized(campaign.program) else 10.0
+        self.longest = time_limit(campaign.program)
+        self.limit = campaign.arguments.stop_after or self.longest
 
     def draw(self, rng):
         """A sample and its changed text."""
@@ -39,7 +40,7 @@ class MutatedRuns:
         shutil.rmtree(self.folder, ignore_errors=True)
         self.samples.put(sample, text, self.folder)
         command = [self.program, f"{sample.deck}.i", *words, "--threads", "1", "--quiet", "--summary", "summary.json"]
-        outcome = run(command, self.folder, self.limit)
+        outcome = run(command, self.folder, self.limit, 2 * self.longest)
         return outcome, find_harm(outcome, self.folder)
 
     def shrink(self, sample, text, words, harm):
@@ -58,8 +59,13 @@ class MutatedRuns:
         self.run(sample, "\n".join(lines) + "\n", words)
 
 
+def add_arguments(parser):
+    parser.add_argument("--no-shrink", action="store_true", help="keep what did harm as it was drawn")
+    parser.add_argument("--stop-after", type=float, help="seconds of a processor after which a run gets SIGTERM")
+
+
 def main():
-    campaign = Campaign("runs", __doc__, lambda parser: parser.add_argument("--no-shrink", action="store_true"))
+    campaign = Campaign("runs", __doc__, add_arguments)
     codes = collections.Counter()
     with scratch_folder() as folder:
         runs = MutatedRuns(campaign, pathlib.Path(folder))
