@@ -91,6 +91,8 @@ Json pair_json(const SummaryPair& pair) {
           {"peak_force", of_run(&PairHistory::peak_force)},
           {"deepest_penetration", of_run(&PairHistory::deepest)},
           {"deepest_share", of_run(&PairHistory::deepest_share)},
+          {"interpenetration", pair.interpenetration ? Json(pair.interpenetration->depth) : Json(nullptr)},
+          {"passages", pair.interpenetration ? Json(pair.interpenetration->n_crossed) : Json(nullptr)},
           {"friction_work", of_run(&PairHistory::friction_work)}};
 }
 

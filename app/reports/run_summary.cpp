@@ -68,13 +68,16 @@ void note_run(const Simulation& run, RunSummary& summary) {
   if (run.contact_force() == nullptr) return;
   const ContactModel& model = *run.contact_model();
   const auto histories = run.contact_force()->histories();
+  const auto found = run.interpenetrations();
   summary.pairs.clear();
   summary.n_pairs = model.pairs.size();
   std::size_t n_idle = 0;
   for (const PairIndex i : indices(model.pairs)) {
-    if (!histories[i].has_touched() && ++n_idle > max_idle_pairs) continue;
+    const bool is_idle = !histories[i].has_touched() && found[i].depth == 0.0 && found[i].n_crossed == 0;
+    if (is_idle && ++n_idle > max_idle_pairs) continue;
     summary.pairs.push_back(name_pair(model, i));
     summary.pairs.back().history = histories[i];
+    summary.pairs.back().interpenetration = found[i];
   }
 }
 

@@ -10,6 +10,7 @@
 #include "app/run/simulation.hpp"
 #include "contact/enforcement/pair_history.hpp"
 #include "contact/mesh/contact_model.hpp"
+#include "contact/overlap/interpenetration_watch.hpp"
 #include "core/base/diagnostics.hpp"
 #include "core/base/errors.hpp"
 #include "core/dynamics/state.hpp"
@@ -28,7 +29,8 @@ struct SummaryPair {
   std::uint32_t number = 0;  ///< as in the log, from 1
   std::string first, second, interaction;
   int line = 0;  ///< of the deck
-  std::optional<PairHistory> history;
+  std::optional<PairHistory> history = {};
+  std::optional<Interpenetration> interpenetration = {};
 };
 
 /// How far the run of a procedure has come.

@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 
 #include "core/base/digest.hpp"
-#include "core/dynamics/state_motion.hpp"
 #include "core/mesh/mesh_digest.hpp"
 
 namespace contactsim {
@@ -25,9 +24,7 @@ std::vector<RunMark> archive(const Checkpoint& checkpoint, StateArchive& saved) 
   if (saved.restores()) state.time = checkpoint.shifted_to.value_or(state.time);
   // Contact remembers the surfaces of the living.
   if (checkpoint.death != nullptr && saved.restores()) checkpoint.death->begin(state);
-  if (checkpoint.contact != nullptr) {
-    checkpoint.contact->force().archive(motion_of(state), saved);
-  }
+  if (checkpoint.contact != nullptr) checkpoint.contact->archive(state, saved);
   checkpoint.outputs.archive(saved);
   return archive(checkpoint.marks, saved);
 }

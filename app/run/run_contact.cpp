@@ -8,6 +8,7 @@
 #include <set>
 
 #include "app/run/energy_watch.hpp"
+#include "app/run/interpenetration_warnings.hpp"
 #include "app/run/reach_warnings.hpp"
 #include "app/run/simulation.hpp"
 #include "app/run/smoothing_warnings.hpp"
@@ -67,6 +68,7 @@ RunContact::RunContact(const RunInput& input, const Model& model)
       begins_pressed_(input.earlier != nullptr && !input.procedure.transfers.empty() &&
                       input.earlier->contact_force() != nullptr),
       output_(force_, contact_, model),
+      watch_(contact_, mesh_, input.overlaps),
       debug_(contact_debug_files(input.definition, input.region.contact->debug)) {}
 
 void RunContact::add_to(OutputSettings& settings) {
@@ -113,8 +115,10 @@ SurfaceChanges RunContact::update_for_deaths(const State& state, std::span<const
     make_lofts(input_.definition, input_.region, mesh_, contact_, discarded);
   }
   free_nodes_->add(dead, alive);
+  alive_ = alive;
   force_.rebuild_surfaces(motion_of(state), free_nodes_->nodes(), makes_new_edges_);
   output_.renew();
+  watch_.renumber();
   return changes;
 }
 
@@ -130,6 +134,22 @@ void RunContact::restore(const State& state, const RunContactCheckpoint& checkpo
   free_nodes_.emplace(checkpoint.free_nodes);
   force_.restore(motion_of(state), checkpoint.force);
   output_.renew();
+  watch_.renumber();
+}
+
+ContactMoment RunContact::moment_of(const State& state) const {
+  return {force_.kinematics(), force_.rules(), state.coordinates, alive_, state.time};
+}
+
+void RunContact::watch(const State& state) {
+  // A look costs up to a step of a large model; load steps cost more than any look.
+  constexpr int steps_between_looks = 10;
+  watch_.step(moment_of(state), input_.procedure.implicit_by ? 1 : steps_between_looks);
+}
+
+void RunContact::archive(const State& state, StateArchive& saved) {
+  force_.archive(motion_of(state), saved);
+  watch_.archive(saved);
 }
 
 void RunContact::write_debug_files() {
@@ -264,11 +284,13 @@ void RunContact::warn_of_start(Diagnostics& warnings) const {
   warn_of_offsets(contact_, offset_overlaps_, stored, warnings);
 }
 
-void RunContact::warn_of_end(const State& state, Diagnostics& warnings) const {
+void RunContact::warn_of_end(const State& state, Diagnostics& warnings) {
+  watch_.look(moment_of(state));
   if (!input_.procedure.implicit_by && state.energies.largest > energy_of_round_off(model_, state.dt))
     warn_of_energy(state.energies, warnings);
   warn_of_lost(warnings);
   warn_of_penetration(warnings);
+  warn_of_interpenetration(force_, contact_, mesh_, watch_.all(), warnings);
   warn_of_strain(force_, contact_, mesh_, state, warnings);
   warn_of_small_sliding(warnings);
 }

@@ -10,6 +10,7 @@
 #include "app/run/run_input.hpp"
 #include "contact/mesh/eroded_nodes.hpp"
 #include "contact/output/contact_output.hpp"
+#include "contact/overlap/interpenetration_watch.hpp"
 #include "contact/overlap/untied_parts.hpp"
 #include "contact/surfaces/surface_tracker.hpp"
 #include "core/output/output_plan.hpp"
@@ -66,13 +67,20 @@ class RunContact {
   /// Gives the names of these files an end.
   void add_suffix(const std::string& suffix);
 
+  /// To be called after every step: looks from time to time whether bodies lie in each other.
+  void watch(const State& state);
+  IndexedSpan<PairIndex, const Interpenetration> interpenetrations() const { return watch_.all(); }
+  /// Saves or restores what contact remembers.
+  void archive(const State& state, StateArchive& saved);
+
   /// To be called once the first forces are known: warns of ties that tie nothing, of overlaps and of lines
   /// without effect.
   void warn_of_start(Diagnostics& warnings) const;
   /// To be called at the end: warns of energy that nothing had put into contact, and names the pair; of pairs
   /// whose contact ended though it was deep; of those that have penetrated by more than a tenth of their
-  /// thickness; and of those that have slid off their faces of the start, or lost them to deaths.
-  void warn_of_end(const State& state, Diagnostics& warnings) const;
+  /// thickness; of bodies that lie in each other or have passed through; and of those that have slid off
+  /// their faces of the start, or lost them to deaths.
+  void warn_of_end(const State& state, Diagnostics& warnings);
   /// What pairs without springs gave out to come out of overlaps of the mesh, or of what the procedure before
   /// had pressed [energy].
   double given_out_by_overlaps() const;
@@ -85,6 +93,7 @@ class RunContact {
   void warn_of_lost(Diagnostics& warnings) const;
   void warn_of_penetration(Diagnostics& warnings) const;
   void warn_of_small_sliding(Diagnostics& warnings) const;
+  ContactMoment moment_of(const State& state) const;
 
   const RunInput& input_;
   const Model& model_;
@@ -95,6 +104,8 @@ class RunContact {
   ContactForce force_;
   bool begins_pressed_;  // by contact of the procedure before
   ContactOutput output_;
+  InterpenetrationWatch watch_;
+  std::span<const std::uint8_t> alive_;  // [n_elements] empty while all live
   ContactDebugFiles debug_;
   std::optional<SurfaceTracker> living_;  // only when elements may die
   std::optional<ErodedNodes> free_nodes_;

@@ -116,6 +116,7 @@ void Simulation::step() {
     run.energy_warnings.step(run.state);
     if (run.load_steps) run.load_step_warnings.step(run.state, run.load_steps->report());
     if (run.contact && !run.load_steps) run.contact->stop_at_runaway(run.state);
+    if (run.contact) run.contact->watch(run.state);
     end_step();
     store(false, false);
   });
@@ -203,6 +204,11 @@ const ContactModel* Simulation::contact_model() const {
 
 IndexedSpan<PairIndex, const UntiedPart> Simulation::untied() const {
   return parts_->contact ? parts_->contact->untied() : IndexedSpan<PairIndex, const UntiedPart>();
+}
+
+IndexedSpan<PairIndex, const Interpenetration> Simulation::interpenetrations() const {
+  return parts_->contact ? parts_->contact->interpenetrations()
+                         : IndexedSpan<PairIndex, const Interpenetration>();
 }
 
 double Simulation::given_out_by_overlaps() const {

@@ -26,6 +26,7 @@ class LoadSteps;
 class RunDeath;
 class RunRestart;
 class Simulation;
+struct Interpenetration;
 struct UntiedPart;
 
 /// What observers are told of.
@@ -118,6 +119,8 @@ class Simulation {
   const std::optional<std::string>& stopped_by() const;
   /// What contact without springs gave out to come out of overlaps of the mesh [energy].
   double given_out_by_overlaps() const;
+  /// Where bodies have come to lie in each other; empty without contact.
+  IndexedSpan<PairIndex, const Interpenetration> interpenetrations() const;
   /// Of the clock; the whole is known at RunEvent::ended.
   std::vector<PartTime> part_times() const;
   double seconds() const;

@@ -89,6 +89,8 @@ class ContactForce final : public ForceTerm, public StaticContact {
   void restore(const Motion& motion, const ContactCheckpoint& checkpoint);
 
   const ContactMesh& contact_mesh() const { return contact_mesh_; }
+  /// As of the motion seen last.
+  const ContactKinematics& kinematics() const { return kinematics_; }
   const PairRules& rules() const { return rules_; }
   const ContactSearch& search() const { return detection_.search(); }
   IndexedSpan<PairIndex, const PairHistory> histories() const { return histories_.all(); }

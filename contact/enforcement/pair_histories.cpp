@@ -106,7 +106,8 @@ void PairHistories::archive(StateArchive& saved) {
   saved.fixed_rows("contact/pairs/history", histories_, [](PairHistory& history, RowNumbers& row) {
     row(history.contact_time, history.peak_force, history.impulse, history.work, history.friction_work,
         history.impact, history.deepest, history.deepest_share, history.taken, history.stored_at_start,
-        history.ramped, history.slid_share, history.slid_node, history.n_released, history.released_node);
+        history.ramped, history.slid_share, history.slid_node, history.n_released, history.released_node,
+        history.n_lost, history.lost_node, history.lost_time, history.lost_depth);
   });
   saved.fixed("contact/pairs/stored", std::span(stored_));
   saved.fixed("contact/pairs/ramp_energy", std::span(ramp_energy_));

@@ -36,9 +36,11 @@ void add(const Eigen::Vector3d& x, Box& box) {
 
 }  // namespace
 
-DeepOverlaps::DeepOverlaps(const ContactModel& model, const Mesh& mesh, const OverlapParts& parts)
+DeepOverlaps::DeepOverlaps(const ContactModel& model, const Mesh& mesh, const OverlapParts& parts,
+                           std::span<const std::uint8_t> alive)
     : mesh_(mesh),
       parts_(parts),
+      alive_(alive),
       rules_(model.pairs, std::vector<ActiveTimes>(model.pairs.size()), model.surfaces.surfaces.size()),
       bodies_(find_bodies(mesh)),
       number_of_body_(mesh.n_nodes()) {
@@ -100,7 +102,7 @@ std::vector<DeepOverlaps::Volume> DeepOverlaps::volumes_near(const Eigen::Matrix
     for (std::uint32_t e = 0; e < block.n_elements; ++e) {
       const auto nodes = block.element_nodes(e);
       volume.body = bodies_[nodes[0].value];
-      if (!may_be_near(volume.body)) continue;
+      if (!may_be_near(volume.body) || (!alive_.empty() && !alive_[block.first_element.value + e])) continue;
       for (std::size_t k = 0; k < n_corners; ++k)
         volume.corners.col(static_cast<Eigen::Index>(k)) = coordinates.col(nodes[k].value);
       add_if_near(n_corners);

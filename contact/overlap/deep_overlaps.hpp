@@ -30,7 +30,9 @@ struct DeepOverlap {
 class DeepOverlaps {
  public:
   /// All must outlive this.
-  DeepOverlaps(const ContactModel& model, const Mesh& mesh, const OverlapParts& parts);
+  ///   alive  [n_elements] 0 of elements that hold nothing; empty: all do
+  DeepOverlaps(const ContactModel& model, const Mesh& mesh, const OverlapParts& parts,
+               std::span<const std::uint8_t> alive = {});
 
   /// [n_nodes] the first node of each node's body.
   const std::vector<std::uint32_t>& bodies() const { return bodies_; }
@@ -76,6 +78,7 @@ class DeepOverlaps {
 
   const Mesh& mesh_;
   const OverlapParts& parts_;
+  std::span<const std::uint8_t> alive_;
   PairRules rules_;
   std::vector<std::uint32_t> bodies_;        // [n_nodes]
   std::vector<std::uint32_t> thick_bodies_;  // with contact faces of solids or lofts, ascending

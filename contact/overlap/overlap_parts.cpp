@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "contact/mesh/contact_kinematics.hpp"
 #include "contact/mesh/feature_edges.hpp"
 #include "contact/mesh/smooth_surfaces.hpp"
 #include "core/definition/contact.hpp"
@@ -61,6 +60,12 @@ OverlapParts make_overlap_parts(const ContactModel& model, const ContactDefiniti
   add_smooth_faces(model, start, parts.contact_mesh);
   parts.of_face = measure_faces(start, mesh);
   parts.of_node = measure_nodes(start, parts.of_face);
+  return parts;
+}
+
+OverlapParts make_overlap_parts(const ContactKinematics& kinematics, const Mesh& mesh) {
+  OverlapParts parts{kinematics.contact_mesh(), measure_faces(kinematics, mesh), {}};
+  parts.of_node = measure_nodes(kinematics, parts.of_face);
   return parts;
 }
 

@@ -4,6 +4,7 @@
 #include <Eigen/Core>
 #include <vector>
 
+#include "contact/mesh/contact_kinematics.hpp"
 #include "contact/mesh/contact_mesh.hpp"
 #include "contact/mesh/contact_model.hpp"
 #include "core/definition/declarations.hpp"
@@ -46,5 +47,7 @@ bool is_solid(const Mesh& mesh, ElementSide side);
 ///   definition  of the model
 OverlapParts make_overlap_parts(const ContactModel& model, const ContactDefinition& definition,
                                 const Mesh& mesh);
+/// The same of contact nodes as they are now.
+OverlapParts make_overlap_parts(const ContactKinematics& kinematics, const Mesh& mesh);
 
 }  // namespace contactsim

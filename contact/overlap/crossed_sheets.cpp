@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "contact/overlap/crossed_sheets.hpp"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <set>
+#include <utility>
+
+#include "contact/search/broad_phase.hpp"
+
+namespace contactsim {
+
+namespace {
+
+/// The box of what goes from one place to another.
+class SweptBox {
+ public:
+  void add(const Eigen::Vector3d& x) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      box_.lo[k] = std::min(box_.lo[k], x[static_cast<Eigen::Index>(k)]);
+      box_.hi[k] = std::max(box_.hi[k], x[static_cast<Eigen::Index>(k)]);
+    }
+  }
+  const Box& get() const { return box_; }
+
+ private:
+  static constexpr double far = std::numeric_limits<double>::infinity();
+  Box box_{{far, far, far}, {-far, -far, -far}};
+};
+
+Eigen::Vector3d at(const std::array<Eigen::Vector3d, 2>& way, double share) {
+  return way[0] + share * (way[1] - way[0]);
+}
+
+}  // namespace
+
+bool goes_through(const std::array<Eigen::Vector3d, 2>& point,
+                  const std::array<std::array<Eigen::Vector3d, 2>, 3>& triangle) {
+  // Twice the area times the height of the point above the plane; a cubic in the share of the way.
+  const auto height = [&](double share) {
+    const Eigen::Vector3d a = at(triangle[0], share);
+    return (at(triangle[1], share) - a).cross(at(triangle[2], share) - a).dot(at(point, share) - a);
+  };
+  double low = 0.0, high = 1.0, at_low = height(0.0);
+  if (!(at_low * height(1.0) < 0.0)) return false;
+  constexpr int halvings = 40;
+  for (int i = 0; i < halvings; ++i) {
+    const double middle = 0.5 * (low + high), there = height(middle);
+    (there * at_low > 0.0 ? low : high) = middle;
+  }
+  const Eigen::Vector3d a = at(triangle[0], low), b = at(triangle[1], low), c = at(triangle[2], low),
+                        p = at(point, low);
+  const Eigen::Vector3d normal = (b - a).cross(c - a);
+  return (b - a).cross(p - a).dot(normal) >= 0.0 && (c - b).cross(p - b).dot(normal) >= 0.0 &&
+         (a - c).cross(p - c).dot(normal) >= 0.0;
+}
+
+std::vector<SheetCrossing> find_crossed_sheets(const ContactMesh& contact_mesh, const PairRules& rules,
+                                               std::span<const Eigen::Vector3d> before,
+                                               std::span<const Eigen::Vector3d> now) {
+  std::vector<FaceIndex> sheets;
+  for (const FaceIndex i : indices(contact_mesh.faces)) {
+    const ContactFace& face = contact_mesh.faces[i];
+    // The bottom has the same mid surface; a surface may have one of the two alone.
+    if (contact_mesh.is_lofted(face)) sheets.push_back(i);
+  }
+  if (sheets.empty()) return {};
+  const auto way = [&](std::uint32_t node) { return std::array{before[node], now[node]}; };
+  BroadPhase rows, faces;
+  const auto unsound_rows = rows.update(indices(contact_mesh.surface_nodes), [&](SurfaceNodeIndex row) {
+    const std::uint32_t node = contact_mesh.surface_nodes[row].node;
+    SweptBox box;
+    for (const Eigen::Vector3d& x : way(node)) box.add(x);
+    return box.get();
+  });
+  const auto unsound_faces = faces.update(static_cast<std::uint32_t>(sheets.size()), [&](std::uint32_t i) {
+    SweptBox box;
+    for (const std::uint32_t corner : contact_mesh.faces[sheets[i]].corners) {
+      for (const Eigen::Vector3d& x : way(corner)) box.add(x);
+    }
+    return box.get();
+  });
+  if (unsound_rows || unsound_faces) return {};
+  const auto has_gone_through = [&](SurfaceNodeIndex row, std::uint32_t i) {
+    const SurfaceNode& node = contact_mesh.surface_nodes[row];
+    const ContactFace& face = contact_mesh.faces[sheets[i]];
+    if (!rules.find(node.surface, face.surface)) return false;
+    const auto hangs_on = [&](std::uint32_t corner) {
+      return contact_mesh.mesh_nodes[corner] == contact_mesh.mesh_nodes[node.node];
+    };
+    if (std::ranges::any_of(face.corners, hangs_on)) return false;
+    const auto of = [&](std::size_t k) { return way(face.corners[k]); };
+    return goes_through(way(node.node), {of(0), of(1), of(2)}) ||
+           (!face.is_triangle() && goes_through(way(node.node), {of(0), of(2), of(3)}));
+  };
+  PairLists<SurfaceNodeIndex, std::uint32_t> found;
+  rows.find_pairs(faces, has_gone_through, found);
+  std::set<std::pair<PairIndex, NodeIndex>> crossings;
+  for (const SurfaceNodeIndex row : indices(contact_mesh.surface_nodes)) {
+    const SurfaceNode& node = contact_mesh.surface_nodes[row];
+    for (const std::uint32_t i : found.of(row)) {
+      const auto pair = rules.find(node.surface, contact_mesh.faces[sheets[i]].surface);
+      crossings.emplace(*pair, NodeIndex{contact_mesh.mesh_nodes[node.node]});
+    }
+  }
+  std::vector<SheetCrossing> listed;
+  for (const auto& [pair, node] : crossings) listed.push_back({pair, node});
+  return listed;
+}
+
+}  // namespace contactsim

@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "contact/overlap/interpenetration_watch.hpp"
+
+#include <algorithm>
+
+#include "contact/overlap/crossed_sheets.hpp"
+#include "contact/overlap/deep_overlaps.hpp"
+#include "core/base/state_archive.hpp"
+
+namespace contactsim {
+
+namespace {
+
+/// Share of the thickness behind a node that it may go unseen.
+constexpr double unseen_share = 0.25;
+
+Eigen::Vector3d mean(std::span<const Eigen::Vector3d> points) {
+  Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+  for (const Eigen::Vector3d& point : points) sum += point;
+  return sum / static_cast<double>(std::max<std::size_t>(points.size(), 1));
+}
+
+std::vector<Eigen::Vector3d> places_of(const ContactMoment& moment) {
+  std::vector<Eigen::Vector3d> places;
+  places.reserve(moment.kinematics.contact_mesh().n_nodes());
+  for (const std::uint32_t node : moment.kinematics.contact_mesh().mesh_nodes)
+    places.emplace_back(moment.coordinates.col(node));
+  return places;
+}
+
+}  // namespace
+
+void InterpenetrationWatch::note_places(const ContactMoment& moment) {
+  before_ = places_of(moment);
+  n_since_ = 0;
+}
+
+bool InterpenetrationWatch::has_moved_far(const ContactMoment& moment) const {
+  const std::vector<Eigen::Vector3d> now = places_of(moment);
+  const Eigen::Vector3d way = mean(now) - mean(before_);
+  const ContactMesh& contact_mesh = moment.kinematics.contact_mesh();
+  return std::ranges::any_of(contact_mesh.surface_nodes, [&](const SurfaceNode& node) {
+    const double thickness = node.radius > 0.0f ? 2.0 * node.radius : node.penalty_properties.thickness;
+    return (now[node.node] - before_[node.node] - way).norm() > unseen_share * thickness;
+  });
+}
+
+void InterpenetrationWatch::step(const ContactMoment& moment, int n_steps) {
+  if (before_.empty()) return note_places(moment);
+  if (++n_since_ % n_steps == 0 && has_moved_far(moment)) look(moment);
+}
+
+void InterpenetrationWatch::look(const ContactMoment& moment) {
+  find_deep(moment);
+  if (!before_.empty()) {
+    for (const SheetCrossing& crossing :
+         find_crossed_sheets(moment.kinematics.contact_mesh(), moment.rules, before_, places_of(moment))) {
+      const PairRule& rule = moment.rules[crossing.pair];
+      if (!rule.is_active || rule.only_ties()) continue;
+      Interpenetration& found = of_pair_[crossing.pair];
+      if (found.n_crossed++ > 0) continue;
+      found.crossed_node = crossing.node.value;
+      found.crossed_time = moment.time;
+    }
+  }
+  note_places(moment);
+}
+
+void InterpenetrationWatch::find_deep(const ContactMoment& moment) {
+  const OverlapParts parts = make_overlap_parts(moment.kinematics, mesh_);
+  IndexedVector<PairIndex, Interpenetration> seen(of_pair_.size());
+  for (const DeepOverlap& overlap :
+       DeepOverlaps(model_, mesh_, parts, moment.alive).find(moment.coordinates, moment.kinematics)) {
+    const PairRule& rule = moment.rules[overlap.pair];
+    if (!rule.is_active || rule.only_ties()) continue;
+    Interpenetration& found = seen[overlap.pair];
+    ++found.n_nodes;
+    if (overlap.depth <= found.depth) continue;
+    found.depth = overlap.depth;
+    const double own = parts.of_node[overlap.row].half_thickness,
+                 other = parts.of_face[overlap.face].half_thickness;
+    const double thickness = 2.0 * (own > 0.0 ? std::min(own, other) : other);
+    found.share = thickness > 0.0 ? overlap.depth / thickness : 0.0;
+    found.node = parts.contact_mesh.mesh_nodes[parts.contact_mesh.surface_nodes[overlap.row].node];
+  }
+  for (const PairIndex i : indices(of_pair_)) {
+    Interpenetration& known = of_pair_[i];
+    const double beyond = seen[i].depth - known.start_depth;
+    if (beyond <= known.depth) continue;
+    known.share = seen[i].share * (beyond / seen[i].depth);
+    known.depth = beyond;
+    known.node = seen[i].node;
+    known.n_nodes = seen[i].n_nodes;
+    known.time = moment.time;
+  }
+}
+
+void InterpenetrationWatch::archive(StateArchive& saved) {
+  saved.fixed_rows("contact/watch/pairs", of_pair_, [](Interpenetration& found, RowNumbers& row) {
+    row(found.start_depth, found.depth, found.share, found.time, found.node, found.n_nodes, found.n_crossed,
+        found.crossed_node, found.crossed_time);
+  });
+  saved.list("contact/watch/places", before_);
+  saved.numbers("contact/watch/steps", n_since_);
+}
+
+}  // namespace contactsim
