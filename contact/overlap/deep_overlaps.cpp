@@ -73,7 +73,7 @@ void DeepOverlaps::find_lofts() {
           *std::ranges::find(face.corners, contact_mesh().mesh_nodes[corners[k]],
                              [&](std::uint32_t point) { return contact_mesh().mesh_nodes[point]; });
     }
-    lofts_.push_back(corners);
+    lofts_.push_back({corners, face.side.element()});
     tops.erase(top);
   }
 }
@@ -102,17 +102,19 @@ std::vector<DeepOverlaps::Volume> DeepOverlaps::volumes_near(const Eigen::Matrix
     for (std::uint32_t e = 0; e < block.n_elements; ++e) {
       const auto nodes = block.element_nodes(e);
       volume.body = bodies_[nodes[0].value];
-      if (!may_be_near(volume.body) || (!alive_.empty() && !alive_[block.first_element.value + e])) continue;
+      volume.element = {block.first_element.value + e};
+      if (!may_be_near(volume.body) || (!alive_.empty() && !alive_[volume.element.value])) continue;
       for (std::size_t k = 0; k < n_corners; ++k)
         volume.corners.col(static_cast<Eigen::Index>(k)) = coordinates.col(nodes[k].value);
       add_if_near(n_corners);
     }
   }
-  for (const auto& loft : lofts_) {
+  for (const auto& [loft, element] : lofts_) {
     const bool is_triangle = loft[2] == loft[3];
     const std::size_t n = is_triangle ? 3 : 4;
     volume.shape = is_triangle ? Shape::wedge6 : Shape::hex8;
     volume.body = bodies_[contact_mesh().mesh_nodes[loft[0]]];
+    volume.element = element;
     if (!may_be_near(volume.body)) continue;
     for (std::size_t k = 0; k < n; ++k) {
       volume.corners.col(static_cast<Eigen::Index>(k)) = kinematics.x(loft[k]);
@@ -123,8 +125,24 @@ std::vector<DeepOverlaps::Volume> DeepOverlaps::volumes_near(const Eigen::Matrix
   return near;
 }
 
+/// Whether a node is behind one of the faces of its element that it may go out of by a share of the thickness
+/// at most.
+bool DeepOverlaps::is_shallow(const ContactKinematics& kinematics, const Inside& inside, double share,
+                              std::span<const FaceIndex> faces) const {
+  const Eigen::Vector3d& own = parts_.of_node[inside.row].normal;
+  const Eigen::Vector3d point = kinematics.x(contact_mesh().surface_nodes[inside.row].node);
+  return std::ranges::any_of(faces, [&](FaceIndex index) {
+    const FaceCorners corners = kinematics.face_corners(index);
+    const Eigen::Vector3d area = area_vector(corners);
+    if (own.dot(area) > same_way_cosine * own.norm() * area.norm()) return false;
+    const double depth = (0.5 * (corners.col(0) + corners.col(2)) - point).dot(area) / area.norm();
+    return depth <= share * 2.0 * parts_.of_face[index].half_thickness;
+  });
+}
+
 std::vector<DeepOverlaps::Inside> DeepOverlaps::find_inside(const Eigen::Matrix3Xd& coordinates,
-                                                            const ContactKinematics& kinematics) const {
+                                                            const ContactKinematics& kinematics,
+                                                            double shallow) const {
   const auto all_rows = indices(contact_mesh().surface_nodes);
   if (all_rows.size() == 0 || thick_bodies_.empty()) return {};
   const auto box_of_row = [&](SurfaceNodeIndex row) {
@@ -138,8 +156,9 @@ std::vector<DeepOverlaps::Inside> DeepOverlaps::find_inside(const Eigen::Matrix3
     if (number) add(x, body_boxes[*number]);
   };
   for (std::uint32_t i = 0; i < mesh_.n_nodes(); ++i) extend(i, coordinates.col(i));
-  for (const auto& loft : lofts_) {
-    for (const std::uint32_t point : loft) extend(contact_mesh().mesh_nodes[point], kinematics.x(point));
+  for (const Loft& loft : lofts_) {
+    for (const std::uint32_t point : loft.corners)
+      extend(contact_mesh().mesh_nodes[point], kinematics.x(point));
   }
   BroadPhase rows, around, inner;
   if (rows.update(all_rows, box_of_row) || around.update(body_boxes)) return {};
@@ -174,8 +193,22 @@ std::vector<DeepOverlaps::Inside> DeepOverlaps::find_inside(const Eigen::Matrix3
     for (const std::uint32_t i : near.of(row)) {
       const std::uint32_t body = *number_of_body_[volumes[i].body];
       const bool is_known = !inside.empty() && inside.back().row == row && inside.back().body == body;
-      if (!is_known) inside.push_back({row, body});
+      if (!is_known) inside.push_back({row, body, volumes[i].element});
     }
+  }
+  if (shallow > 0.0 && !inside.empty()) {
+    std::vector<std::pair<ElementIndex, FaceIndex>> of_element;
+    for (const FaceIndex i : indices(contact_mesh().faces))
+      of_element.emplace_back(contact_mesh().faces[i].side.element(), i);
+    std::ranges::sort(of_element);
+    std::vector<FaceIndex> faces;
+    std::erase_if(inside, [&](const Inside& one) {
+      faces.clear();
+      for (const auto& [element, face] :
+           std::ranges::equal_range(of_element, one.element, {}, &std::pair<ElementIndex, FaceIndex>::first))
+        faces.push_back(face);
+      return is_shallow(kinematics, one, shallow, faces);
+    });
   }
   return inside;
 }
@@ -243,8 +276,8 @@ std::optional<DeepOverlap> DeepOverlaps::find_way_out(
 }
 
 std::vector<DeepOverlap> DeepOverlaps::find(const Eigen::Matrix3Xd& coordinates,
-                                            const ContactKinematics& kinematics) const {
-  const std::vector<Inside> inside = find_inside(coordinates, kinematics);
+                                            const ContactKinematics& kinematics, double shallow) const {
+  const std::vector<Inside> inside = find_inside(coordinates, kinematics, shallow);
   if (inside.empty()) return {};
   const auto faces_of_body =
       list_by_row<std::uint32_t, FaceIndex>(thick_bodies_.size(), [&](const auto& take) {

@@ -45,22 +45,28 @@ class DeepOverlaps {
   /// where it is.
   ///   coordinates  [3 x n_nodes] of the mesh [length]
   ///   surface      the contact nodes there
-  std::vector<DeepOverlap> find(const Eigen::Matrix3Xd& coordinates,
-                                const ContactKinematics& kinematics) const;
+  ///   shallow      nodes behind a face of the very element that they lie in by less than this share of its
+  ///                thickness may be left out: what touches has many of them [1]
+  std::vector<DeepOverlap> find(const Eigen::Matrix3Xd& coordinates, const ContactKinematics& kinematics,
+                                double shallow = 0.0) const;
 
  private:
   struct Inside {
     SurfaceNodeIndex row;
     std::uint32_t body;  // in thick_bodies_
+    ElementIndex element;
   };
   /// A solid, or the room between the top and the bottom of a lofted shell.
   struct Volume {
     Eigen::Matrix<double, 3, 8> corners;  // [length]; a wedge of a triangle has six
     Shape shape;
     std::uint32_t body;  // its first node
+    ElementIndex element;
   };
-  std::vector<Inside> find_inside(const Eigen::Matrix3Xd& coordinates,
-                                  const ContactKinematics& kinematics) const;
+  std::vector<Inside> find_inside(const Eigen::Matrix3Xd& coordinates, const ContactKinematics& kinematics,
+                                  double shallow) const;
+  bool is_shallow(const ContactKinematics& kinematics, const Inside& inside, double share,
+                  std::span<const FaceIndex> faces) const;
   void find_lofts();
   std::vector<Volume> volumes_near(const Eigen::Matrix3Xd& coordinates, const ContactKinematics& kinematics,
                                    std::span<const Box> boxes) const;
@@ -85,7 +91,11 @@ class DeepOverlaps {
   std::vector<OptionalIndex<std::uint32_t>>
       number_of_body_;  // [n_nodes] by first node: position in thick_bodies_
   /// Of each lofted shell, first the corners of the top, then below each of them that of the bottom.
-  std::vector<std::array<std::uint32_t, 8>> lofts_;
+  struct Loft {
+    std::array<std::uint32_t, 8> corners;
+    ElementIndex element;
+  };
+  std::vector<Loft> lofts_;
 };
 
 }  // namespace contactsim

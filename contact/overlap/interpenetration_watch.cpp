@@ -14,6 +14,9 @@ namespace {
 /// Share of the thickness behind a node that it may go unseen.
 constexpr double unseen_share = 0.25;
 
+/// Depths below this share of a thickness are those of contact that holds.
+constexpr double shallow_share = 0.1;
+
 Eigen::Vector3d mean(std::span<const Eigen::Vector3d> points) {
   Eigen::Vector3d sum = Eigen::Vector3d::Zero();
   for (const Eigen::Vector3d& point : points) sum += point;
@@ -39,9 +42,14 @@ bool InterpenetrationWatch::has_moved_far(const ContactMoment& moment) const {
   const std::vector<Eigen::Vector3d> now = places_of(moment);
   const Eigen::Vector3d way = mean(now) - mean(before_);
   const ContactMesh& contact_mesh = moment.kinematics.contact_mesh();
+  const auto thickness = [](const SurfaceNode& node) {
+    return node.radius > 0.0f ? 2.0 * node.radius : node.penalty_properties.thickness;
+  };
+  // What is thick may go through what is thin.
+  double least = std::numeric_limits<double>::infinity();
+  for (const SurfaceNode& node : contact_mesh.surface_nodes) least = std::min(least, thickness(node));
   return std::ranges::any_of(contact_mesh.surface_nodes, [&](const SurfaceNode& node) {
-    const double thickness = node.radius > 0.0f ? 2.0 * node.radius : node.penalty_properties.thickness;
-    return (now[node.node] - before_[node.node] - way).norm() > unseen_share * thickness;
+    return (now[node.node] - before_[node.node] - way).norm() > unseen_share * least;
   });
 }
 
@@ -69,8 +77,8 @@ void InterpenetrationWatch::look(const ContactMoment& moment) {
 void InterpenetrationWatch::find_deep(const ContactMoment& moment) {
   const OverlapParts parts = make_overlap_parts(moment.kinematics, mesh_);
   IndexedVector<PairIndex, Interpenetration> seen(of_pair_.size());
-  for (const DeepOverlap& overlap :
-       DeepOverlaps(model_, mesh_, parts, moment.alive).find(moment.coordinates, moment.kinematics)) {
+  for (const DeepOverlap& overlap : DeepOverlaps(model_, mesh_, parts, moment.alive)
+                                        .find(moment.coordinates, moment.kinematics, shallow_share)) {
     const PairRule& rule = moment.rules[overlap.pair];
     if (!rule.is_active || rule.only_ties()) continue;
     Interpenetration& found = seen[overlap.pair];

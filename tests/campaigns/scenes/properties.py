@@ -191,29 +191,36 @@ def _deepest(one, two, x):
     return max(depth_inside(frame[one.hull.nodes], two.hull, frame).max(initial=0.0) for frame in x[1:])
 
 
-def _side(point, sheet, x, reach):
-    """On which side of a sheet a point lies right before its inside: -1 or 1, and 0 where that is not plain."""
+def _height(point, sheet, x, reach):
+    """Of a point right before the inside of a sheet the nearest face, and the height above it [length]; None where that is not
+    plain."""
     corners = sheet.hull.skin(x)
     distance, m, weights = closest_on_triangles(point, *corners)
     near_rim = 0.1  # of the way from the rim to the middle of a face
     from_rim = weights[2] if sheet.hull.faces.shape[1] == 4 else np.min(weights)
     if distance > reach or (sheet.at_rim[m] and from_rim < near_rim) or np.max(weights) > 1 - 1e-6:
-        return 0
+        return None
     normal = np.cross(corners[1][m] - corners[0][m], corners[2][m] - corners[0][m])
-    return int(np.sign((point - corners[0][m]) @ normal))
+    return m, (point - corners[0][m]) @ normal / np.linalg.norm(normal)
 
 
 def _changes_side(one, sheet, x):
-    """Whether a node goes from one side of a sheet to the other between two frames, both times right before its inside."""
+    """Whether a node goes from above one side of a sheet to below the other, all the time right before its inside: one that lies
+    in the sheet for some frames and comes out again has penetrated, and not passed through."""
     moved = np.max(np.linalg.norm(x[1:] - x[:-1], axis=2), axis=1)
-    reaches = 2 * np.maximum.accumulate(moved)
-    corners = x[:, sheet.hull.nodes]
-    for frame in range(1, len(x)):
-        reach = reaches[frame - 1]
+    reaches = sheet.half + 2 * np.maximum.accumulate(moved)
+    corners, side, face = x[:, sheet.hull.nodes], dict.fromkeys(one.hull.nodes, 0), {}
+    for frame, reach in enumerate(reaches):
         low, high = corners[frame].min(axis=0) - reach, corners[frame].max(axis=0) + reach
         spots = x[frame][one.hull.nodes]
-        for node in one.hull.nodes[np.all((spots > low) & (spots < high), axis=1)]:
-            now = _side(x[frame][node], sheet, x[frame], reach)
-            if now and now * _side(x[frame - 1][node], sheet, x[frame - 1], reach) < 0:
-                return True
+        near = np.all((spots > low) & (spots < high), axis=1)
+        for node, is_near in zip(one.hull.nodes, near):
+            m, height = (_height(x[frame][node], sheet, x[frame], reach) if is_near else None) or (None, 0.0)
+            if m is None or (sheet.shape == "fold" and face.get(node) != m):  # before one leg it may be behind the other
+                side[node] = 0
+            face[node] = m
+            if abs(height) > sheet.half:
+                if side[node] * height < 0:
+                    return True
+                side[node] = np.sign(height)
     return False
