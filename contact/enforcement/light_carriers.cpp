@@ -11,8 +11,8 @@ namespace contactsim {
 
 namespace {
 
-/// The mismatch of forces and motion may have this share of the energy that the forces have in the springs of
-/// their constraints.
+/// The mismatch of forces and motion may have this share of the power that the forces have in the springs of
+/// their constraints, and the impulses in the motion that they make.
 constexpr double consistent = 1e-20;
 
 double dot(const std::vector<RigidVector>& a, const std::vector<RigidVector>& b) {
@@ -97,10 +97,11 @@ void LightCarriers::set_motion() {
   for (std::size_t i = 0; i < mobility_.size(); ++i) motion_[i] = mobility_[i] * impulse_[i];
 }
 
-/// Finds the answers to the motion, and what is missing of the impulses. Returns the energy of that over the
-/// energy of the forces.
+/// Finds the answers to the motion, and what is missing of the impulses. Returns the power of that over the
+/// power of forces and impulses: where all sides part at once there are no forces, and what is missing is
+/// round-off of the impulses.
 double LightCarriers::evaluate(const Answer& answer) {
-  double of_forces = 0.0, of_missing = 0.0;
+  double of_forces = dot(impulse_, motion_), of_missing = 0.0;
   for (std::size_t i = 0; i < mobility_.size(); ++i) missing_[i] = -impulse_[i];
   for (std::uint32_t row = 0; row < rows_.size(); ++row) {
     answers_[row] = answer(row, velocity_of(row, motion_));
@@ -156,7 +157,8 @@ void LightCarriers::find_step() {
     for (std::size_t i = 0; i < from.size(); ++i) to[i] = preconditioner_[i] * from[i];
   };
   std::fill(x_.begin(), x_.end(), RigidVector::Zero());
-  residual_ = missing_;
+  // What is missing of the moment about a line's own axis turns nothing.
+  for (std::size_t i = 0; i < x_.size(); ++i) residual_[i] = free_[i] * missing_[i];
   scaled(residual_, step_);
   search_ = step_;
   double before = dot(residual_, step_);
@@ -180,23 +182,32 @@ void LightCarriers::find_step() {
 }
 
 /// Goes along Newton's step as far as the potential falls that the forces and the motion have together: what
-/// is missing is its descent.
-double LightCarriers::go(const Answer& answer) {
+/// is missing is its descent. That potential is convex: where the descent grows on the way the step is one of
+/// round-off. Returns whether it has gone.
+///   error  of evaluate(), before and after
+bool LightCarriers::go(const Answer& answer, double& error) {
   constexpr int max_tries = 5;
-  constexpr double too_far = 0.5;
+  constexpr double too_far = 0.5, growth = 2.0;
   const Vectors start = impulse_;
-  const double descent = dot(missing_, x_);
-  if (!(descent > 0.0)) return 0.0;  // of round-off
-  double error = 0.0, share = 1.0;
+  const double before = error, descent = dot(missing_, x_);
+  if (!(descent > 0.0)) return false;  // of round-off
+  double share = 1.0;
+  bool is_sound = true;
   for (int i = 0; i < max_tries; ++i) {
     for (std::size_t k = 0; k < start.size(); ++k) impulse_[k] = start[k] + share * step_[k];
     set_motion();
     error = evaluate(answer);
     const double left = dot(missing_, x_);
-    if (left >= -too_far * descent) break;
+    is_sound = left <= growth * descent;
+    if (!is_sound || left >= -too_far * descent) break;
+    is_sound = error < before;
     share *= descent / (descent - left);
   }
-  return error;
+  if (is_sound) return true;
+  impulse_ = start;
+  set_motion();
+  error = evaluate(answer);
+  return false;
 }
 
 void LightCarriers::solve(const Answer& answer) {
@@ -207,7 +218,7 @@ void LightCarriers::solve(const Answer& answer) {
   double error = evaluate(answer);
   for (int i = 0; i < max_steps && error > consistent; ++i) {
     find_step();
-    error = go(answer);
+    if (!go(answer, error)) return;
   }
 }
 

@@ -80,7 +80,7 @@ class LightCarriers {
   void precondition();
   void multiply(const Vectors& x, Vectors& product) const;
   void find_step();
-  double go(const Answer& answer);
+  bool go(const Answer& answer, double& error);
 
   std::vector<OptionalIndex<std::uint32_t>> index_;                   // [n_carriers] among the light ones
   std::vector<RigidMatrix> mobility_, mass_, free_, preconditioner_;  // [n_light]
