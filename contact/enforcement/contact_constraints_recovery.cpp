@@ -42,7 +42,9 @@ void ContactConstraints::limit_recovery(RecoveryEnergy& recovery) {
     if (found == needed.end()) return;
     const double paid = recovery.available(found->first) / found->second * row.recovery;
     const double slow = free_recovery * dt_ * relative_velocity(point, false).norm();
-    row.start += std::max(0.0, row.recovery - std::max(paid, slow));
+    const double unpaid = std::max(0.0, row.recovery - std::max(paid, slow));
+    const double opened = dt_ * std::max(0.0, point.normal.dot(relative_velocity(point, true)));
+    row.start += unpaid + unpaid / row.recovery * opened;
   });
 }
 
