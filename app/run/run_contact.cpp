@@ -29,7 +29,7 @@ namespace contactsim {
 namespace {
 
 /// Energy that contact makes is worth a warning when it is this share of the largest term.
-constexpr double worrying_energy_share = 0.02;
+constexpr double worrying_energy_share = 0.01;
 
 /// Energy from nowhere that exceeds what was put in for so many steps will not go away.
 constexpr int longest_runaway = 20;
@@ -150,6 +150,7 @@ void RunContact::watch(const State& state) {
 void RunContact::archive(const State& state, StateArchive& saved) {
   force_.archive(motion_of(state), saved);
   watch_.archive(saved);
+  saved.numbers("contact/made", made_.energy, made_.by_culprit, made_.culprit.value);
 }
 
 void RunContact::write_debug_files() {
@@ -176,15 +177,13 @@ double RunContact::given_out_by_overlaps() const {
 }
 
 void RunContact::warn_of_energy(const Energies& energies, Diagnostics& warnings) const {
-  const double made = made_by_contact(force_, energies) - given_out_by_overlaps();
-  if (made <= worrying_energy_share * energies.largest || contact_.pairs.empty()) return;
-  const PairIndex culprit = find_culprit(force_.histories());
+  if (made_.energy <= worrying_energy_share * energies.largest) return;
   warnings.add_warning(
-      "contact-energy", contact_.pairs[culprit].location,
-      fmt::format("contact has given out {:.3g} of energy that nothing put in ({:.2g} % of the "
+      "contact-energy", contact_.pairs[made_.culprit].location,
+      fmt::format("contact has given out up to {:.3g} of energy that nothing put in ({:.2g} % of the "
                   "largest term), most of it between {}: {:.3g}",
-                  made, 100.0 * made / energies.largest, names_of(contact_, culprit),
-                  force_.histories()[culprit].made()),
+                  made_.energy, 100.0 * made_.energy / energies.largest, names_of(contact_, made_.culprit),
+                  made_.by_culprit),
       "finer faces where corners meet, NODE_FACE or a CONTACT DAMPING FRACTION help");
 }
 
@@ -253,6 +252,10 @@ void RunContact::warn_of_small_sliding(Diagnostics& warnings) const {
 void RunContact::stop_at_runaway(const State& state) {
   const Energies& e = state.energies;
   const double made = made_by_contact(force_, e) - given_out_by_overlaps();
+  if (made > made_.energy) {
+    made_ = {made, find_culprit(force_.histories())};
+    made_.by_culprit = force_.histories()[made_.culprit].made();
+  }
   const double put_in = std::max(0.0, e.start) + std::max(0.0, e.external) + std::max(0.0, -e.internal) +
                         force_.stored_at_start();
   // What comes out of overlaps by itself is not worth a word: all of the mass at a millionth of the model's

@@ -85,7 +85,7 @@ class RunContact {
   /// had pressed [energy].
   double given_out_by_overlaps() const;
   /// To be called after every step: throws SolveError naming the pair when contact has for some steps given
-  /// out more energy from nowhere than all that was put into the model.
+  /// out more energy from nowhere than all that was put into the model; remembers the most.
   void stop_at_runaway(const State& state);
 
  private:
@@ -111,6 +111,13 @@ class RunContact {
   std::optional<ErodedNodes> free_nodes_;
   bool makes_new_edges_ = true;
   int n_runaway_steps_ = 0;  // on end
+  /// The most that contact has given out from nowhere so far, and the pair that had made most of it.
+  struct Made {
+    double energy = 0.0;  // [energy]
+    PairIndex culprit = {};
+    double by_culprit = 0.0;  // [energy]
+  };
+  Made made_;
 };
 
 }  // namespace contactsim
