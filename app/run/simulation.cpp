@@ -47,10 +47,10 @@ void Simulation::try_to(const Work& work) {
 }
 
 void Simulation::begin() {
+  parts_->begun = clock_seconds();
   parts_->restart.find_state(parts_->outputs.paths(), parts_->diagnostics);
   notify(RunEvent::restart_sought);
   parts_->prepare_files();
-  parts_->begun = clock_seconds();
   try_to([&] { parts_->restart.earlier() != nullptr ? resume() : begin_anew(); });
 }
 
