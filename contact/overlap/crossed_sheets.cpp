@@ -6,6 +6,7 @@
 #include <set>
 #include <utility>
 
+#include "contact/geometry/node_face.hpp"
 #include "contact/search/broad_phase.hpp"
 
 namespace contactsim {
@@ -28,8 +29,29 @@ class SweptBox {
   Box box_{{far, far, far}, {-far, -far, -far}};
 };
 
-Eigen::Vector3d at(const std::array<Eigen::Vector3d, 2>& way, double share) {
-  return way[0] + share * (way[1] - way[0]);
+using Way = std::array<Eigen::Vector3d, 2>;
+
+Eigen::Vector3d at(const Way& way, double share) { return way[0] + share * (way[1] - way[0]); }
+
+/// Whether a point goes through a face by the triangles about its middle, and changes its side of the face as
+/// contact sees it, which is bilinear.
+bool is_on_other_side(const Way& point, const std::array<Way, 4>& corners, bool is_triangle) {
+  bool may = is_triangle && goes_through(point, {corners[0], corners[1], corners[2]});
+  Way middle;
+  for (std::size_t k = 0; k < 2; ++k)
+    middle[k] = 0.25 * (corners[0][k] + corners[1][k] + corners[2][k] + corners[3][k]);
+  for (std::size_t k = 0; k < 4 && !is_triangle && !may; ++k)
+    may = goes_through(point, {corners[k], corners[(k + 1) % 4], middle});
+  if (!may) return false;
+  std::array<double, 2> gap{};
+  for (std::size_t i = 0; i < 2; ++i) {
+    FaceCorners x;
+    for (std::size_t k = 0; k < 4; ++k) x.col(static_cast<Eigen::Index>(k)) = corners[k][i];
+    const auto closest = project_onto_face(x, is_triangle, point[i]);
+    if (!closest) return true;
+    gap[i] = closest->gap;
+  }
+  return gap[0] * gap[1] < 0.0;
 }
 
 }  // namespace
@@ -65,7 +87,7 @@ std::vector<SheetCrossing> find_crossed_sheets(const ContactMesh& contact_mesh, 
     if (contact_mesh.is_lofted(face)) sheets.push_back(i);
   }
   if (sheets.empty()) return {};
-  const auto way = [&](std::uint32_t node) { return std::array{before[node], now[node]}; };
+  const auto way = [&](std::uint32_t node) { return Way{before[node], now[node]}; };
   BroadPhase rows, faces;
   const auto unsound_rows = rows.update(indices(contact_mesh.surface_nodes), [&](SurfaceNodeIndex row) {
     const std::uint32_t node = contact_mesh.surface_nodes[row].node;
@@ -89,9 +111,10 @@ std::vector<SheetCrossing> find_crossed_sheets(const ContactMesh& contact_mesh, 
       return contact_mesh.mesh_nodes[corner] == contact_mesh.mesh_nodes[node.node];
     };
     if (std::ranges::any_of(face.corners, hangs_on)) return false;
-    const auto of = [&](std::size_t k) { return way(face.corners[k]); };
-    return goes_through(way(node.node), {of(0), of(1), of(2)}) ||
-           (!face.is_triangle() && goes_through(way(node.node), {of(0), of(2), of(3)}));
+    return is_on_other_side(
+        way(node.node),
+        {way(face.corners[0]), way(face.corners[1]), way(face.corners[2]), way(face.corners[3])},
+        face.is_triangle());
   };
   PairLists<SurfaceNodeIndex, std::uint32_t> found;
   rows.find_pairs(faces, has_gone_through, found);

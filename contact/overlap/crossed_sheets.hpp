@@ -17,8 +17,9 @@ struct SheetCrossing {
 };
 
 /// Finds what has gone from one side of a lofted shell to the other while all nodes went straight ahead at
-/// constant speed: the roots of the cubic in time at which a node and three corners of a mid surface lie in
-/// one plane, as far as the node is then between these. Faces of the node itself, and what no pair is of, are
+/// constant speed: the roots of the cubic in time at which a node and three corners of a triangle of a mid
+/// surface lie in one plane, as far as the node is then between these, and its gap to the face has another
+/// sign at the end. Faces of the node itself, and what no pair is of, are
 /// left out.
 ///   before, now  [n_contact_nodes] the mesh nodes that contact nodes hang on [length]
 /// Returns each node of a pair once, by pair, then node.

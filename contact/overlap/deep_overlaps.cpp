@@ -125,18 +125,21 @@ std::vector<DeepOverlaps::Volume> DeepOverlaps::volumes_near(const Eigen::Matrix
   return near;
 }
 
-/// Whether a node is behind one of the faces of its element that it may go out of by a share of the thickness
-/// at most.
+/// Whether a node lies right behind one of the faces of its element that it may go out of, by a share of the
+/// thickness of the thinner side at most.
 bool DeepOverlaps::is_shallow(const ContactKinematics& kinematics, const Inside& inside, double share,
                               std::span<const FaceIndex> faces) const {
-  const Eigen::Vector3d& own = parts_.of_node[inside.row].normal;
+  const OverlapNode& own = parts_.of_node[inside.row];
   const Eigen::Vector3d point = kinematics.x(contact_mesh().surface_nodes[inside.row].node);
   return std::ranges::any_of(faces, [&](FaceIndex index) {
-    const FaceCorners corners = kinematics.face_corners(index);
-    const Eigen::Vector3d area = area_vector(corners);
-    if (own.dot(area) > same_way_cosine * own.norm() * area.norm()) return false;
-    const double depth = (0.5 * (corners.col(0) + corners.col(2)) - point).dot(area) / area.norm();
-    return depth <= share * 2.0 * parts_.of_face[index].half_thickness;
+    const auto closest =
+        project_onto_face(kinematics.face_corners(index), contact_mesh().faces[index].is_triangle(), point);
+    if (!closest || closest->edge >= 0 ||
+        own.normal.dot(closest->normal) > same_way_cosine * own.normal.norm())
+      return false;
+    const double other = parts_.of_face[index].half_thickness;
+    const double half_thickness = own.half_thickness > 0.0 ? std::min(own.half_thickness, other) : other;
+    return -closest->gap <= share * 2.0 * half_thickness;
   });
 }
 

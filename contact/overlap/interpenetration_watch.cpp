@@ -79,6 +79,8 @@ void InterpenetrationWatch::find_deep(const ContactMoment& moment) {
   IndexedVector<PairIndex, Interpenetration> seen(of_pair_.size());
   for (const DeepOverlap& overlap : DeepOverlaps(model_, mesh_, parts, moment.alive)
                                         .find(moment.coordinates, moment.kinematics, shallow_share)) {
+    // Of shells passages tell: bent ones are lofted over corners of what they touch.
+    if (parts.contact_mesh.is_lofted(parts.contact_mesh.faces[overlap.face])) continue;
     const PairRule& rule = moment.rules[overlap.pair];
     if (!rule.is_active || rule.only_ties()) continue;
     Interpenetration& found = seen[overlap.pair];
