@@ -134,9 +134,14 @@ def _velocity(number, body, units):
     return lines
 
 
-def _law(contact, units, scale):
+def law_reach(units):
+    """The gap that a law across gaps acts over at most [length]."""
+    return 0.01 * units.length
+
+
+def _law(contact, units):
     """The lines of the friction model, and of the functions that it takes."""
-    law, stress, reach = contact["law"], contact["scale"] * units.modulus, scale * units.length
+    law, stress, reach = contact["law"], contact["scale"] * units.modulus, law_reach(units)
     if not law:
         return [], []
     kind, lines, functions = law.replace("_", " "), [], []
@@ -165,7 +170,7 @@ def _contact(scene, units):
         lines.append(f"enforcement = {contact['enforcement']}")
     if not contact["edges"]:
         lines += ["begin surface options", "edge contact = off", "end"]
-    lines += _law(contact, units, 0.01)[0]
+    lines += _law(contact, units)[0]
     common = ["friction model = law"] if contact["law"] else []
     common += [f"constraint formulation = {contact['formulation']}"] if contact["formulation"] else []
     common += [f"contact damping fraction = {contact['damping']!r}"] if contact["damping"] else []
@@ -199,7 +204,7 @@ def deck_of(scene, n_steps):
     for number, body in bodies:
         lines += _material(number, body, units) + _section(number, body, units) + _velocity_functions(number, body, units)
         lines += [f"begin rigid body rigid_{number + 1}", "end"] if body["rigid"] else []
-    lines += _law(scene["contact"], units, 0.01)[1]
+    lines += _law(scene["contact"], units)[1]
     lines += ["begin finite element model bodies", "database name = scene.g",
               *(line for number, body in bodies for line in _block(number, body, units)), "end",
               "begin presto procedure fly", "begin time control", "begin time stepping block all", "start time = 0",
