@@ -2,32 +2,23 @@
 #include "app/cli/exit_guard.hpp"
 
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <exception>
 #include <new>
 #include <string_view>
 
+#include "core/base/end_at_once.hpp"
 #include "core/base/memory_error.hpp"
 
 namespace contactsim {
 
 namespace {
 
-/// Allocates nothing.
-void write_to_stderr(std::string_view text) {
-  [[maybe_unused]] const ssize_t n_written = write(STDERR_FILENO, text.data(), text.size());
-}
-
 /// Which exception left a loop of OpenMP is not to be seen here.
 [[noreturn]] void end_by_exception() {
   if (!WorkInMemory::lacks_memory()) __gnu_cxx::__verbose_terminate_handler();
   const std::string_view doing = WorkInMemory::now();
-  write_to_stderr("error: out of memory");
-  if (!doing.empty()) write_to_stderr(" while ");
-  write_to_stderr(doing);
-  write_to_stderr("\n");
-  _exit(static_cast<int>(ExitCode::file));
+  end_at_once(ExitCode::file, {"error: out of memory", doing.empty() ? "" : " while ", doing});
 }
 
 }  // namespace

@@ -1,12 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "io/netcdf/library_guard.hpp"
 
-#include <unistd.h>
-
-#include <cstring>
-#include <string_view>
-
-#include "core/base/errors.hpp"
+#include "core/base/end_at_once.hpp"
 
 namespace contactsim {
 
@@ -16,15 +11,9 @@ constexpr std::array<int, 4> fatal_signals{SIGSEGV, SIGBUS, SIGABRT, SIGFPE};
 
 const char* guarded_path = nullptr;
 
-// A handler may call little more than write.
 void tell_and_exit(int) {
-  const auto say = [](const char* text) {
-    if (write(STDERR_FILENO, text, std::strlen(text)) < 0) _exit(static_cast<int>(ExitCode::file));
-  };
-  say("error: ");
-  say(guarded_path);
-  say(": is damaged: the netCDF or HDF5 library broke down while it was read\n");
-  _exit(static_cast<int>(ExitCode::file));
+  end_at_once(ExitCode::file, {"error: ", guarded_path,
+                               ": is damaged: the netCDF or HDF5 library broke down while it was read"});
 }
 
 }  // namespace

@@ -65,7 +65,7 @@ TEST_CASE("a body that has come to lie in another is seen with depth, share and 
   w.watch.look(w.moment());
   CHECK(w.found().depth == Approx(0.2));
   CHECK(w.found().share == Approx(0.8));  // of a cell
-  CHECK(w.found().n_nodes == 10);  // nine of the upper block, and the middle one of the lower
+  CHECK(w.found().n_nodes == 10);         // nine of the upper block, and the middle one of the lower
   CHECK(w.found().time == 2.0);
   const double height = w.bodies.x(2, w.found().node);
   CHECK((height == Approx(0.8) || height == Approx(1.0)));
