@@ -47,7 +47,9 @@ bool InterpenetrationWatch::has_moved_far(const ContactMoment& moment) const {
   };
   // What is thick may go through what is thin.
   double least = std::numeric_limits<double>::infinity();
-  for (const SurfaceNode& node : contact_mesh.surface_nodes) least = std::min(least, thickness(node));
+  for (const SurfaceNode& node : contact_mesh.surface_nodes) {
+    if (thickness(node) > 0.0) least = std::min(least, thickness(node));
+  }
   return std::ranges::any_of(contact_mesh.surface_nodes, [&](const SurfaceNode& node) {
     return (now[node.node] - before_[node.node] - way).norm() > unseen_share * least;
   });
