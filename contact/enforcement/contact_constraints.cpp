@@ -169,7 +169,8 @@ LightAnswer ContactConstraints::answer(std::uint32_t light_point, const Eigen::V
   const double rate = dt_ * (1.0 - constraint_compliance) / row.softness;
   LightAnswer answer{force.head<3>(), (force - row.ahead).head<3>(), Eigen::Matrix3d::Zero(), rate};
   const Eigen::Vector3d normal = group.normal.head<3>();
-  if (row.pulls || group.normal.dot(force) > 0.0) answer.rate = rate * normal * normal.transpose();
+  if (row.pulls || pressing(group.normal, row, changed) > 0.0)
+    answer.rate = rate * normal * normal.transpose();
   if (!row.grip) return answer;
   const Eigen::Vector3d trial = trial_traction(normal, row, changed);
   constexpr double round_off = 1e-9;
@@ -202,18 +203,25 @@ double ContactConstraints::slip_limit(const Row& row, const NodeVector& changed,
   return grip.rule->slip_limit(contact_point, dt_);
 }
 
+/// The normal force that closes the gap, force - gap / softness: < 0 where the sides part.
+double ContactConstraints::pressing(const NodeVector& normal, const Row& row,
+                                    const NodeVector& changed) const {
+  const double now = normal.dot(row.ahead), rate = (1.0 - constraint_compliance) / row.softness;
+  const double gap = row.start + normal.dot(changed) + constraint_compliance * row.softness * now;
+  return now - rate * gap;
+}
+
 /// Closes the gap: max(0, force - gap / softness), and the slip likewise, back on the cone. On light carriers
 /// that is the cone of the normal force that the pass looks at: that of the force to be found would leave no
 /// potential, without which forces and motion need not fit together.
 ///   changed  by which the forces of the last pass change the gap and the slip [length]
 NodeVector ContactConstraints::next_force(const NodeVector& normal, const Row& row,
                                           const NodeVector& changed) const {
-  const double now = normal.dot(row.ahead), rate = (1.0 - constraint_compliance) / row.softness;
-  const double gap = row.start + normal.dot(changed) + constraint_compliance * row.softness * now;
-  const double force = row.pulls ? now - rate * gap : std::max(0.0, now - rate * gap);
+  const double closing = pressing(normal, row, changed);
+  const double force = row.pulls ? closing : std::max(0.0, closing);
   if (!row.grip) return force * normal;
   Eigen::Vector3d tangential = trial_traction(normal.head<3>(), row, changed);
-  const double limit = slip_limit(row, changed, row.light ? std::max(0.0, now) : force),
+  const double limit = slip_limit(row, changed, row.light ? std::max(0.0, normal.dot(row.ahead)) : force),
                size = tangential.norm();
   if (size > limit) tangential *= limit / size;
   return force * normal + node_vector(tangential);

@@ -129,6 +129,7 @@ class ContactConstraints {
   double softness(const Group& group, std::uint32_t row, const LeaningAreas& areas,
                   const LightCarriers& light, double least) const;
   double slip_limit(const Row& row, const NodeVector& changed, double normal_force) const;
+  double pressing(const NodeVector& normal, const Row& row, const NodeVector& changed) const;
   NodeVector next_force(const NodeVector& normal, const Row& row, const NodeVector& changed) const;
   Eigen::Vector3d trial_traction(const Eigen::Vector3d& normal, const Row& row,
                                  const NodeVector& changed) const;

@@ -108,8 +108,10 @@ double LightCarriers::evaluate(const Answer& answer) {
     add_force(row, answers_[row].change, missing_);
     of_forces += answers_[row].force.squaredNorm() / answers_[row].stiffest;
   }
-  for (std::size_t i = 0; i < mobility_.size(); ++i)
-    of_missing += missing_[i].dot(mobility_[i] * missing_[i]);
+  for (std::size_t i = 0; i < mobility_.size(); ++i) {
+    const RigidVector free = free_[i] * missing_[i];
+    of_missing += free.dot(mobility_[i] * free);
+  }
   return of_missing > 0.0 ? of_missing / (of_forces > 0.0 ? of_forces : of_missing) : 0.0;
 }
 
@@ -181,32 +183,45 @@ void LightCarriers::find_step() {
   for (std::size_t k = 0; k < x_.size(); ++k) step_[k] = mass_[k] * x_[k];
 }
 
-/// Goes along Newton's step as far as the potential falls that the forces and the motion have together: what
-/// is missing is its descent. That potential is convex: where the descent grows on the way the step is one of
-/// round-off. Returns whether it has gone.
+/// Finds the descent of the potential along Newton's step that is left at a share of it.
+///   error  of evaluate() there
+double LightCarriers::descent_at(double share, const Vectors& start, const Answer& answer, double& error) {
+  for (std::size_t k = 0; k < start.size(); ++k) impulse_[k] = start[k] + share * step_[k];
+  set_motion();
+  error = evaluate(answer);
+  return dot(missing_, x_);
+}
+
+/// Goes along Newton's step until no more than half of the descent is left of the potential that the forces
+/// and the motion have together: what is missing is its descent. Where a constraint begins to press on the
+/// way the step is too long, and that place is looked for by false position. The potential is convex: where
+/// the descent grows the step is one of round-off. Returns whether it has gone.
 ///   error  of evaluate(), before and after
 bool LightCarriers::go(const Answer& answer, double& error) {
-  constexpr int max_tries = 5;
-  constexpr double too_far = 0.5, growth = 2.0;
+  constexpr int max_tries = 12;
+  constexpr double enough = 0.5, growth = 2.0, nearest = 0.1;
   const Vectors start = impulse_;
   const double before = error, descent = dot(missing_, x_);
   if (!(descent > 0.0)) return false;  // of round-off
-  double share = 1.0;
-  bool is_sound = true;
+  double low = 0.0, left_low = descent, high = 1.0, left_high = descent, share = 1.0;
   for (int i = 0; i < max_tries; ++i) {
-    for (std::size_t k = 0; k < start.size(); ++k) impulse_[k] = start[k] + share * step_[k];
-    set_motion();
-    error = evaluate(answer);
-    const double left = dot(missing_, x_);
-    is_sound = left <= growth * descent;
-    if (!is_sound || left >= -too_far * descent) break;
-    is_sound = error < before;
-    share *= descent / (descent - left);
+    const double left = descent_at(share, start, answer, error);
+    if (!(left <= growth * descent)) {
+      descent_at(0.0, start, answer, error);
+      return false;
+    }
+    const bool is_too_far = left<-enough * descent, is_too_short = left> enough * descent;
+    if (!is_too_far && (share == 1.0 || !is_too_short)) return true;
+    (is_too_far ? high : low) = share;
+    (is_too_far ? left_high : left_low) = left;
+    const double part = std::clamp(left_low / (left_low - left_high), nearest, 1.0 - nearest);
+    share = low + part * (high - low);
   }
-  if (is_sound) return true;
-  impulse_ = start;
-  set_motion();
-  error = evaluate(answer);
+  if (low > 0.0 || error < before) {
+    if (low > 0.0) descent_at(low, start, answer, error);
+    return true;
+  }
+  descent_at(0.0, start, answer, error);
   return false;
 }
 

@@ -80,6 +80,7 @@ class LightCarriers {
   void precondition();
   void multiply(const Vectors& x, Vectors& product) const;
   void find_step();
+  double descent_at(double share, const Vectors& start, const Answer& answer, double& error);
   bool go(const Answer& answer, double& error);
 
   std::vector<OptionalIndex<std::uint32_t>> index_;                   // [n_carriers] among the light ones
