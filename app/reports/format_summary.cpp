@@ -93,6 +93,7 @@ Json pair_json(const SummaryPair& pair) {
           {"deepest_share", of_run(&PairHistory::deepest_share)},
           {"interpenetration", pair.interpenetration ? Json(pair.interpenetration->depth) : Json(nullptr)},
           {"passages", pair.interpenetration ? Json(pair.interpenetration->n_crossed) : Json(nullptr)},
+          {"overlap_energy", pair.overlap_energy ? finite_or_null(*pair.overlap_energy) : Json(nullptr)},
           {"friction_work", of_run(&PairHistory::friction_work)}};
 }
 

@@ -78,6 +78,8 @@ void note_run(const Simulation& run, RunSummary& summary) {
     summary.pairs.push_back(name_pair(model, i));
     summary.pairs.back().history = histories[i];
     summary.pairs.back().interpenetration = found[i];
+    summary.pairs.back().overlap_energy =
+        histories[i].stored_at_start + run.contact_force()->recovery_energy().of_overlaps(i);
   }
 }
 

@@ -31,6 +31,8 @@ struct SummaryPair {
   int line = 0;  ///< of the deck
   std::optional<PairHistory> history = {};
   std::optional<Interpenetration> interpenetration = {};
+  std::optional<double> overlap_energy =
+      {};  ///< that sides which overlapped may give out as they part [energy]
 };
 
 /// How far the run of a procedure has come.
