@@ -137,14 +137,14 @@ void RunContact::restore(const State& state, const RunContactCheckpoint& checkpo
   watch_.renumber();
 }
 
-ContactMoment RunContact::moment_of(const State& state) const {
-  return {force_.kinematics(), force_.rules(), state.coordinates, alive_, state.time};
+ContactMoment RunContact::moment_of(const State& state, const ContactKinematics& kinematics) const {
+  return {kinematics, force_.rules(), state.coordinates, alive_, state.time};
 }
 
 void RunContact::watch(const State& state) {
   // A look costs up to a step of a large model; load steps cost more than any look.
   constexpr int steps_between_looks = 10;
-  watch_.step(moment_of(state), input_.procedure.implicit_by ? 1 : steps_between_looks);
+  watch_.step(moment_of(state, force_.kinematics()), input_.procedure.implicit_by ? 1 : steps_between_looks);
 }
 
 void RunContact::archive(const State& state, StateArchive& saved) {
@@ -288,7 +288,10 @@ void RunContact::warn_of_start(Diagnostics& warnings) const {
 }
 
 void RunContact::warn_of_end(const State& state, Diagnostics& warnings) {
-  watch_.look(moment_of(state));
+  // Contact may have seen a trial last that is not the state.
+  ContactKinematics now = force_.kinematics();
+  now.move_nodes(motion_of(state));
+  watch_.look(moment_of(state, now));
   if (!input_.procedure.implicit_by && state.energies.largest > energy_of_round_off(model_, state.dt))
     warn_of_energy(state.energies, warnings);
   warn_of_lost(warnings);

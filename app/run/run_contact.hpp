@@ -93,7 +93,7 @@ class RunContact {
   void warn_of_lost(Diagnostics& warnings) const;
   void warn_of_penetration(Diagnostics& warnings) const;
   void warn_of_small_sliding(Diagnostics& warnings) const;
-  ContactMoment moment_of(const State& state) const;
+  ContactMoment moment_of(const State& state, const ContactKinematics& kinematics) const;
 
   const RunInput& input_;
   const Model& model_;

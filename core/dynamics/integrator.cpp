@@ -239,6 +239,7 @@ void complete(const Model& model, ForceTerms terms, const TimeStepControl& contr
   if (!model.rigid.empty()) add_rigid_balance(model, state, balance);
   if (!std::isfinite(balance.kinetic + balance.conserved)) stop_at_non_finite(model, state);
   update_energies(balance, state);
+  if (!std::isfinite(state.energies.error)) stop_at_non_finite(model, state);
 }
 
 }  // namespace

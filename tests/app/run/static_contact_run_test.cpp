@@ -146,6 +146,21 @@ TEST_CASE("stabilization is gone as a time stepping block ends, and told where i
   CHECK_THAT(remains.err, Contains("[stabilization-remains]"));
 }
 
+TEST_CASE("a load step that finds no equilibrium does not tell of what its trials went into",
+          "[app][statics]") {
+  const PressedBlock block;
+  block.write_deck(
+      "begin prescribed displacement\nnode set = top\ncomponent = z\nfunction = ramp\nscale factor = "
+      "-1.6\nend\n"
+      "begin fixed displacement\nnode set = top\ncomponents = x y\nend\n"
+      "begin solver\nbegin cg\ntarget relative residual = 1e-12\nacceptable relative residual = 1e-12\n"
+      "maximum iterations = 1\nend\nend\n"
+      "begin adaptive time stepping\nmaximum failure cutbacks = 0\nend\n");
+  const auto [code, out, err] = block.run({"a.i"});
+  CHECK(code == 4);
+  CHECK_THAT(err, Contains("no equilibrium") && !Contains("interpenetration"));
+}
+
 TEST_CASE("enforcement of load steps is told, and that of explicit steps has no effect", "[app][statics]") {
   const PressedBlock block;
   block.write_deck(sliding);
