@@ -12,7 +12,7 @@ import numpy as np  # noqa: E402
 import evaluate as judge  # noqa: E402
 from campaign import scratch_folder  # noqa: E402
 from draw import draw_scene  # noqa: E402
-from properties import MOMENTUM_TOLERANCE, momentum_scale  # noqa: E402
+from properties import ANGULAR_TOLERANCE_OF_NODES, MOMENTUM_TOLERANCE, momentum_scale  # noqa: E402
 from variants import FRAME_TOLERANCE, VARIANTS  # noqa: E402
 
 
@@ -21,7 +21,7 @@ def add_momentum(result):
 
 
 def add_angular_momentum(result):
-    result.columns["angular_momentum_z"][-1] += 10 * MOMENTUM_TOLERANCE * momentum_scale(result)[1]
+    result.columns["angular_momentum_z"][-1] += 10 * ANGULAR_TOLERANCE_OF_NODES * momentum_scale(result)[1]
 
 
 def add_energy_error(result):
