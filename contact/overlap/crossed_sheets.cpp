@@ -7,27 +7,12 @@
 #include <utility>
 
 #include "contact/geometry/node_face.hpp"
+#include "contact/overlap/point_box.hpp"
 #include "contact/search/broad_phase.hpp"
 
 namespace contactsim {
 
 namespace {
-
-/// The box of what goes from one place to another.
-class SweptBox {
- public:
-  void add(const Eigen::Vector3d& x) {
-    for (std::size_t k = 0; k < 3; ++k) {
-      box_.lo[k] = std::min(box_.lo[k], x[static_cast<Eigen::Index>(k)]);
-      box_.hi[k] = std::max(box_.hi[k], x[static_cast<Eigen::Index>(k)]);
-    }
-  }
-  const Box& get() const { return box_; }
-
- private:
-  static constexpr double far = std::numeric_limits<double>::infinity();
-  Box box_{{far, far, far}, {-far, -far, -far}};
-};
 
 using Way = std::array<Eigen::Vector3d, 2>;
 
@@ -91,16 +76,16 @@ std::vector<SheetCrossing> find_crossed_sheets(const ContactMesh& contact_mesh, 
   BroadPhase rows, faces;
   const auto unsound_rows = rows.update(indices(contact_mesh.surface_nodes), [&](SurfaceNodeIndex row) {
     const std::uint32_t node = contact_mesh.surface_nodes[row].node;
-    SweptBox box;
-    for (const Eigen::Vector3d& x : way(node)) box.add(x);
-    return box.get();
+    Box box = empty_box();
+    for (const Eigen::Vector3d& x : way(node)) add_point(x, box);
+    return box;
   });
   const auto unsound_faces = faces.update(static_cast<std::uint32_t>(sheets.size()), [&](std::uint32_t i) {
-    SweptBox box;
+    Box box = empty_box();
     for (const std::uint32_t corner : contact_mesh.faces[sheets[i]].corners) {
-      for (const Eigen::Vector3d& x : way(corner)) box.add(x);
+      for (const Eigen::Vector3d& x : way(corner)) add_point(x, box);
     }
-    return box.get();
+    return box;
   });
   if (unsound_rows || unsound_faces) return {};
   const auto has_gone_through = [&](SurfaceNodeIndex row, std::uint32_t i) {

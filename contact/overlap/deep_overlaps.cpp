@@ -8,6 +8,7 @@
 #include "contact/geometry/node_face.hpp"
 #include "contact/geometry/point_in_solid.hpp"
 #include "contact/mesh/bodies.hpp"
+#include "contact/overlap/point_box.hpp"
 #include "contact/search/broad_phase.hpp"
 #include "contact/search/shell_sides.hpp"
 #include "core/base/threads.hpp"
@@ -21,18 +22,6 @@ constexpr double smallest_share = 1e-6;
 
 /// Faces whose normal has a greater cosine with that of the node's surface look the same way.
 constexpr double same_way_cosine = 0.25;
-
-Box empty_box() {
-  constexpr double far = std::numeric_limits<double>::infinity();
-  return {{far, far, far}, {-far, -far, -far}};
-}
-
-void add(const Eigen::Vector3d& x, Box& box) {
-  for (std::size_t k = 0; k < 3; ++k) {
-    box.lo[k] = std::min(box.lo[k], x[static_cast<Eigen::Index>(k)]);
-    box.hi[k] = std::max(box.hi[k], x[static_cast<Eigen::Index>(k)]);
-  }
-}
 
 }  // namespace
 
@@ -92,7 +81,8 @@ std::vector<DeepOverlaps::Volume> DeepOverlaps::volumes_near(const Eigen::Matrix
   };
   const auto add_if_near = [&](std::size_t n_corners) {
     Box own = empty_box();
-    for (std::size_t k = 0; k < n_corners; ++k) add(volume.corners.col(static_cast<Eigen::Index>(k)), own);
+    for (std::size_t k = 0; k < n_corners; ++k)
+      add_point(volume.corners.col(static_cast<Eigen::Index>(k)), own);
     if (do_overlap(own, boxes[*number_of_body_[volume.body]])) near.push_back(volume);
   };
   for (const ElementBlock& block : mesh_.blocks()) {
@@ -150,13 +140,13 @@ std::vector<DeepOverlaps::Inside> DeepOverlaps::find_inside(const Eigen::Matrix3
   if (all_rows.size() == 0 || thick_bodies_.empty()) return {};
   const auto box_of_row = [&](SurfaceNodeIndex row) {
     Box box = empty_box();
-    add(kinematics.x(contact_mesh().surface_nodes[row].node), box);
+    add_point(kinematics.x(contact_mesh().surface_nodes[row].node), box);
     return box;
   };
   std::vector<Box> body_boxes(thick_bodies_.size(), empty_box());
   const auto extend = [&](std::uint32_t mesh_node, const Eigen::Vector3d& x) {
     const OptionalIndex<std::uint32_t> number = number_of_body_[bodies_[mesh_node]];
-    if (number) add(x, body_boxes[*number]);
+    if (number) add_point(x, body_boxes[*number]);
   };
   for (std::uint32_t i = 0; i < mesh_.n_nodes(); ++i) extend(i, coordinates.col(i));
   for (const Loft& loft : lofts_) {
@@ -173,14 +163,14 @@ std::vector<DeepOverlaps::Inside> DeepOverlaps::find_inside(const Eigen::Matrix3
   std::vector<Box> boxes(thick_bodies_.size(), empty_box());
   for (const SurfaceNodeIndex row : all_rows) {
     for (const std::uint32_t body : near.of(row))
-      add(kinematics.x(contact_mesh().surface_nodes[row].node), boxes[body]);
+      add_point(kinematics.x(contact_mesh().surface_nodes[row].node), boxes[body]);
   }
   const std::vector<Volume> volumes = volumes_near(coordinates, kinematics, boxes);
   if (volumes.empty()) return {};
   const auto box_of_volume = [&](std::uint32_t i) {
     Box box = empty_box();
     for (Eigen::Index k = 0; k < topology(volumes[i].shape).n_corners; ++k)
-      add(volumes[i].corners.col(k), box);
+      add_point(volumes[i].corners.col(k), box);
     return box;
   };
   if (inner.update(static_cast<std::uint32_t>(volumes.size()), box_of_volume)) return {};
