@@ -2,6 +2,7 @@
 #include "contact/overlap/interpenetration_watch.hpp"
 
 #include <algorithm>
+#include <utility>
 
 #include "contact/overlap/crossed_sheets.hpp"
 #include "contact/overlap/deep_overlaps.hpp"
@@ -11,7 +12,7 @@ namespace contactsim {
 
 namespace {
 
-/// Share of the thickness behind a node that it may go unseen.
+/// Share of the least thickness that a node may go unseen.
 constexpr double unseen_share = 0.25;
 
 /// Depths below this share of a thickness are those of contact that holds.
@@ -33,11 +34,6 @@ std::vector<Eigen::Vector3d> places_of(const ContactMoment& moment) {
 
 }  // namespace
 
-void InterpenetrationWatch::note_places(const ContactMoment& moment) {
-  before_ = places_of(moment);
-  n_since_ = 0;
-}
-
 bool InterpenetrationWatch::has_moved_far(const ContactMoment& moment) const {
   const std::vector<Eigen::Vector3d> now = places_of(moment);
   const Eigen::Vector3d way = mean(now) - mean(before_);
@@ -56,15 +52,20 @@ bool InterpenetrationWatch::has_moved_far(const ContactMoment& moment) const {
 }
 
 void InterpenetrationWatch::step(const ContactMoment& moment, int n_steps) {
-  if (before_.empty()) return note_places(moment);
+  if (before_.empty()) {
+    before_ = places_of(moment);
+    n_since_ = 0;
+    return;
+  }
   if (++n_since_ % n_steps == 0 && has_moved_far(moment)) look(moment);
 }
 
 void InterpenetrationWatch::look(const ContactMoment& moment) {
   find_deep(moment);
+  std::vector<Eigen::Vector3d> now = places_of(moment);
   if (!before_.empty()) {
     for (const SheetCrossing& crossing :
-         find_crossed_sheets(moment.kinematics.contact_mesh(), moment.rules, before_, places_of(moment))) {
+         find_crossed_sheets(moment.kinematics.contact_mesh(), moment.rules, before_, now)) {
       const PairRule& rule = moment.rules[crossing.pair];
       if (!rule.is_active || rule.only_ties()) continue;
       Interpenetration& found = of_pair_[crossing.pair];
@@ -73,7 +74,8 @@ void InterpenetrationWatch::look(const ContactMoment& moment) {
       found.crossed_time = moment.time;
     }
   }
-  note_places(moment);
+  before_ = std::move(now);
+  n_since_ = 0;
 }
 
 void InterpenetrationWatch::find_deep(const ContactMoment& moment) {
