@@ -49,8 +49,8 @@ class InterpenetrationWatch {
     for (const StartOverlap& overlap : overlaps) of_pair_[overlap.pair].start_depth = overlap.deepest;
   }
 
-  /// To be called after every step. Looks once some node may have gone by a quarter of the thickness behind
-  /// it, as seen from the mean of all.
+  /// To be called after every step. Looks once some node may have gone by a quarter of the least
+  /// thickness, as seen from the mean of all.
   ///   n_steps  that pass at least between two looks
   void step(const ContactMoment& moment, int n_steps);
   void look(const ContactMoment& moment);
@@ -63,7 +63,6 @@ class InterpenetrationWatch {
  private:
   void find_deep(const ContactMoment& moment);
   bool has_moved_far(const ContactMoment& moment) const;
-  void note_places(const ContactMoment& moment);
 
   const ContactModel& model_;
   const Mesh& mesh_;
