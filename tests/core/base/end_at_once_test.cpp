@@ -19,8 +19,10 @@ TEST_CASE("a process ends at once with its line and code", "[core][base]") {
     end_at_once(ExitCode::file, {"error: ", "a.g", " is gone"});
   }
   close(ends[1]);
-  std::string text(100, '\0');
-  text.resize(static_cast<std::size_t>(read(ends[0], text.data(), text.size())));
+  std::string text;
+  char piece[100];
+  for (ssize_t n_read = 0; (n_read = read(ends[0], piece, sizeof piece)) > 0;)
+    text.append(piece, static_cast<std::size_t>(n_read));
   close(ends[0]);
   int status = 0;
   REQUIRE(waitpid(child, &status, 0) == child);
