@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cmath>
+#include <vector>
 
 #include "core/statics/multigrid/multigrid.hpp"
 #include "core/statics/multigrid/rigid_modes.hpp"
@@ -81,9 +83,7 @@ struct ElasticGrid {
     matrix.n_columns = n_nodes();
     matrix.first.push_back(0);
     for (std::uint32_t row = 0; row < n_nodes(); ++row) {
-      for (std::uint32_t column = 0; column < n_nodes(); ++column) {
-        if (column > row + n_nodes() / (cells[2] + 1) + cells[0] + 2) break;
-        if (!are_neighbours(row, column)) continue;
+      for (const std::uint32_t column : neighbours(row)) {
         matrix.columns.push_back(column);
         const Eigen::Matrix3d block = block_of(of_element, row, column);
         matrix.values.insert(matrix.values.end(), block.data(), block.data() + 9);
@@ -94,11 +94,18 @@ struct ElasticGrid {
   }
 
  private:
-  bool are_neighbours(std::uint32_t row, std::uint32_t column) const {
-    for (std::size_t i = 0; i < 3; ++i) {
-      if (place(row)[i] > place(column)[i] + 1 || place(column)[i] > place(row)[i] + 1) return false;
+  /// The nodes of the cells around a node, ascending.
+  std::vector<std::uint32_t> neighbours(std::uint32_t node) const {
+    const auto [x, y, z] = place(node);
+    const std::uint32_t nx = cells[0] + 1, ny = cells[1] + 1, nz = cells[2] + 1;
+    const auto before = [](std::uint32_t i) { return i == 0 ? 0 : i - 1; };
+    std::vector<std::uint32_t> all;
+    for (std::uint32_t k = before(z); k < std::min(z + 2, nz); ++k) {
+      for (std::uint32_t j = before(y); j < std::min(y + 2, ny); ++j) {
+        for (std::uint32_t i = before(x); i < std::min(x + 2, nx); ++i) all.push_back(i + nx * (j + ny * k));
+      }
     }
-    return true;
+    return all;
   }
 
   /// The sum over the elements that both nodes are in; of a held node what keeps it where it is.
