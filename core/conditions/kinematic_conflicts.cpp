@@ -49,14 +49,13 @@ bool may_share_nodes(const PrescribedMotion& a, const PrescribedMotion& b) {
   return both_fixed && (!are_oblique(a, b) || a.times == b.times);
 }
 
-void report(const PrescribedMotion& first, const PrescribedMotion& second, std::span<const NodeIndex> shared,
-            const Mesh& mesh, Diagnostics& diagnostics) {
-  const std::string more = shared.size() > 1 ? fmt::format(" and {} more", shared.size() - 1) : std::string();
-  diagnostics.add_error(
-      second.label.location,
-      fmt::format("{} and {} both drive node {}{} in one direction at one time", second.label.what,
-                  to_string(first.label), mesh.node_id(shared.front()), more),
-      "take the nodes out of one of them, or give them other periods");
+void report(const PrescribedMotion& first, const PrescribedMotion& second, const std::string& name,
+            std::size_t n_shared, Diagnostics& diagnostics) {
+  const std::string more = n_shared > 1 ? fmt::format(" and {} more", n_shared - 1) : std::string();
+  diagnostics.add_error(second.label.location,
+                        fmt::format("{} and {} both drive {}{} in one direction at one time",
+                                    second.label.what, to_string(first.label), name, more),
+                        "take the nodes out of one of them, or give them other periods");
 }
 
 }  // namespace
@@ -78,12 +77,14 @@ bool are_oblique(const PrescribedMotion& a, const PrescribedMotion& b) {
   return false;
 }
 
-void check_conflicts(std::span<const PrescribedMotion> motions, const Mesh& mesh, Diagnostics& diagnostics) {
+void check_conflicts(std::span<const PrescribedMotion> motions,
+                     const std::function<std::string(NodeIndex)>& name_of, Diagnostics& diagnostics) {
   for (std::size_t second = 1; second < motions.size(); ++second) {
     for (std::size_t first = 0; first < second; ++first) {
       if (may_share_nodes(motions[first], motions[second])) continue;
       const auto shared = shared_nodes(motions[first], motions[second]);
-      if (!shared.empty()) report(motions[first], motions[second], shared, mesh, diagnostics);
+      if (shared.empty()) continue;
+      report(motions[first], motions[second], name_of(shared.front()), shared.size(), diagnostics);
     }
   }
 }

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -172,7 +173,11 @@ KinematicConstraints compile(const ConditionScope& scope, const ConstraintTarget
   }
   std::vector<PrescribedMotion> motions = maker.take();
   const Mesh& mesh = target.are_bodies ? *scope.rigid->references : scope.mesh;
-  check_conflicts(motions, mesh, scope.diagnostics);
+  const auto name_of = [&](NodeIndex node) {
+    return target.are_bodies ? "the rigid body '" + scope.rigid->names[node.value] + "'"
+                             : "node " + std::to_string(mesh.node_id(node));
+  };
+  check_conflicts(motions, name_of, scope.diagnostics);
   return KinematicConstraints(mesh, separate_skew_supports(std::move(motions)));
 }
 

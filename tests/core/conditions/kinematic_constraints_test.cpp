@@ -6,30 +6,22 @@
 #include <cmath>
 
 #include "core/base/errors.hpp"
-#include "core/elements/minimum_nodal_mass.hpp"
 #include "support/catch.hpp"
 #include "support/condition_deck.hpp"
-#include "support/mesh_builder.hpp"
+#include "support/constrained_cube.hpp"
 
 using namespace contactsim;
 using namespace contactsim::test;
 
 namespace {
 
-/// A cube with corners from (1 1 1) to (2 2 2), its nodes also in sets n1 to n8.
-Mesh cube() {
-  MeshBuilder b;
-  b.add_hexes({.id = 1, .origin = {1, 1, 1}});
-  for (std::uint32_t i = 0; i < 8; ++i)
-    b.add_node_set(i + 1, "n" + std::to_string(i + 1), std::vector<std::uint32_t>{i});
-  return b.build();
-}
-
 /// Nodes of mass 1 that are pushed by constant forces, moved by central differences as the integrator does
 /// it, under the kinematic conditions of a region's lines.
 struct Run {
   explicit Run(const std::string& lines)
-      : mesh(cube()), deck(mesh, lines), kinematic_constraints(make_kinematic_constraints(deck.scope())) {
+      : mesh(constrained_cube()),
+        deck(mesh, lines),
+        kinematic_constraints(make_kinematic_constraints(deck.scope())) {
     if (!deck.messages().empty()) throw std::logic_error(deck.messages());
     force = Eigen::Matrix3Xd::Constant(3, 8, 0.0);
     x = mesh.coordinates();
@@ -59,19 +51,6 @@ struct Run {
   Eigen::Matrix3Xd force, x, v;  ///< v at the middle of the last step
   double time = 0.0;
 };
-
-/// What making the constraints of some lines says.
-std::string constraint_messages(const std::string& lines) {
-  const Mesh mesh = cube();
-  ConditionDeck deck(mesh, lines);
-  make_kinematic_constraints(deck.scope());
-  make_rotation_constraints(deck.scope(), Eigen::Matrix3Xd(3, 0));
-  return deck.messages();
-}
-
-std::string condition_block(const std::string& kind, const std::string& lines) {
-  return "begin " + kind + "\n" + lines + "\nend\n";
-}
 
 }  // namespace
 
@@ -185,36 +164,6 @@ TEST_CASE("conditions act in their periods and let go after them", "[core][condi
   CHECK(run.v(0, 0) == 4.0);
 }
 
-TEST_CASE("two conditions on one degree of freedom name both lines and a node", "[core][conditions]") {
-  const std::string fixed = condition_block("fixed displacement", "node set = n3 n5 n6\ncomponents = x y");
-  const std::string moved = "include all blocks\nfunction = one\n";
-  const std::string end = "; take the nodes out of one of them, or give them other periods\n";
-  CHECK(
-      constraint_messages(fixed + condition_block("prescribed velocity", moved + "component = y")) ==
-      "c.i:5:1: error: the prescribed velocity and the fixed displacement at c.i:1:1 both drive node 3 and 2 "
-      "more in one direction at one time" +
-          end);
-  CHECK(constraint_messages(fixed + condition_block("prescribed velocity", moved + "component = z")) == "");
-  CHECK(
-      constraint_messages(fixed +
-                          condition_block("prescribed velocity", moved + "cylindrical axis = spin")) ==
-      "c.i:5:1: error: the prescribed velocity and the fixed displacement at c.i:1:1 both drive node 3 and 2 "
-      "more in one direction at one time" +
-          end);
-  CHECK(
-      constraint_messages(
-          condition_block("prescribed displacement", "node set = n1\nfunction = one\ncomponent = x") +
-          condition_block("prescribed velocity", moved + "direction = slanted")) ==
-      "c.i:6:1: error: the prescribed velocity and the prescribed displacement at c.i:1:1 both drive node 1 "
-      "in one direction at one time" +
-          end);
-  CHECK(constraint_messages(
-            condition_block("prescribed displacement",
-                            "node set = n1\nfunction = one\ncomponent = x\n"
-                            "active periods = p1 p3") +
-            condition_block("prescribed velocity", moved + "component = x\nactive periods = p2")) == "");
-}
-
 TEST_CASE("nodes may be held twice, in slanted directions too", "[core][conditions]") {
   Run run(condition_block("fixed displacement", "node set = n1 n2\ncomponent = x") +
           condition_block("fixed displacement", "node set = n1 n3\ndirection = slanted") +
@@ -227,50 +176,6 @@ TEST_CASE("nodes may be held twice, in slanted directions too", "[core][conditio
   CHECK(run.u(2).y() == run.u(4).y());
   CHECK(run.u(3).dot(Eigen::Vector3d(0.6, 0.8, 0)) == Approx(0.0).margin(1e-14));
   CHECK(run.u(3).dot(Eigen::Vector3d(-0.8, 0.6, 0)) != Approx(0.0).margin(1e-3));
-}
-
-TEST_CASE("what solids cannot do is refused, what changes nothing is ignored", "[core][conditions]") {
-  CHECK(constraint_messages(condition_block("fixed rotation", "block = block_1\ncomponents = x y z")) ==
-        "c.i:1:1: warning: the fixed rotation has no effect: none of its nodes has rotations, as those of "
-        "shells, beams and point inertias do "
-        "[condition-ignored]\n");
-  CHECK(constraint_messages(
-            condition_block("prescribed rotation", "block = block_1\ncomponent = x\nfunction = one")) ==
-        "c.i:1:1: error: the prescribed rotation cannot act: none of its nodes has rotations, as those of "
-        "shells, beams and point inertias do; PRESCRIBED "
-        "DISPLACEMENT or VELOCITY with CYLINDRICAL AXIS turns nodes about an axis\n");
-  CHECK(constraint_messages(condition_block("prescribed velocity",
-                                            "block = block_1\ncylindrical axis = none\nfunction = one")) ==
-        "d.i:37:13: error: the axis 'none' runs through one point only; its two points lie at one place\n");
-  CHECK(
-      constraint_messages(
-          condition_block("prescribed velocity", "block = block_1\ncomponent = x\nfunction = of_stress")) ==
-      "d.i:27:35: error: the function of the prescribed velocity reads 'stress(xx)', which conditions do not "
-      "know; they know the global time and x, y and z of the nodal coordinates, model_coordinates, "
-      "displacement and velocity\n");
-}
-
-TEST_CASE("rotations are held and driven as places are, about an axis by its direction",
-          "[core][conditions]") {
-  const Mesh mesh = cube();
-  ConditionDeck deck(mesh, condition_block("fixed rotation", "node set = n1 n2\ncomponents = x y") +
-                               condition_block("prescribed rotation",
-                                               "node set = n1\ncomponent = z\n"
-                                               "function = ramp") +
-                               condition_block("prescribed rotational velocity",
-                                               "node set = n3\ncylindrical axis = spin\nfunction = one"));
-  Eigen::Matrix3Xd inertia = Eigen::Matrix3Xd::Ones(3, 8);
-  inertia.col(1).setConstant(minimum_nodal_mass);  // node 2 is one of solids alone
-  const KinematicConstraints kinematic_constraints = make_rotation_constraints(deck.scope(), inertia);
-  CHECK(deck.messages().empty());
-  CHECK(kinematic_constraints.nodes().size() == 2);
-  const Eigen::Matrix3Xd x = mesh.coordinates(), zero = Eigen::Matrix3Xd::Zero(3, 8);
-  const Eigen::Matrix3Xd angle = 0.25 * Eigen::Matrix3Xd::Ones(3, 8);
-  Eigen::Matrix3Xd a = Eigen::Matrix3Xd::Ones(3, 8);
-  kinematic_constraints.constrain({0.5, 0.5, 0.5, x, zero, &angle}, a);
-  CHECK(a.col(0) == Eigen::Vector3d(0.0, 0.0, (1.0 - 0.25) / 0.5 / 0.5));  // to the angle 1 at time 1
-  CHECK(a.col(1) == Eigen::Vector3d::Ones());
-  CHECK(a.col(2) == Eigen::Vector3d(1.0, 1.0, 2.0));  // a rate of 1 from rest in half a unit of time
 }
 
 TEST_CASE("a value may vary from node to node", "[core][conditions]") {
