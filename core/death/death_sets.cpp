@@ -5,7 +5,6 @@
 
 #include <algorithm>
 
-#include "core/base/names.hpp"
 #include "core/conditions/entity_elements.hpp"
 #include "core/definition/death.hpp"
 #include "core/definition/region.hpp"
@@ -18,22 +17,11 @@ namespace {
 
 ConditionLabel label_of(const ElementDeath& death) { return {"the element death", death.name.location}; }
 
-bool is_one_of(std::span<const std::string> names, const DeckName& name) {
-  return std::ranges::any_of(names, [&](const std::string& other) { return fold(other) == fold(name.text); });
-}
-
-/// Whether the parameters that hold for a block, the last ones, name the material.
+/// Whether the parameters that hold for a block name the material.
 bool is_of_material(const FiniteElementModel& elements, std::span<const std::string> block_names,
                     const DeckName& material) {
-  const DeckName* found = nullptr;
-  for (const BlockParameters& parameters : elements.block_parameters) {
-    const auto is_this = [&](const DeckName& name) { return is_one_of(block_names, name); };
-    const bool is_meant = parameters.includes_all_blocks
-                              ? !std::ranges::any_of(parameters.removed_blocks, is_this)
-                              : std::ranges::any_of(parameters.names, is_this);
-    if (is_meant && parameters.material) found = &*parameters.material;
-  }
-  return found != nullptr && fold(found->text) == fold(material.text);
+  const BlockParameters* parameters = find_block_parameters(elements, block_names);
+  return parameters != nullptr && parameters->material && *parameters->material == material;
 }
 
 /// The blocks of the materials join the set.
