@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "core/statics/static_problem.hpp"
 
-#include "core/statics/full_tangent.hpp"
-#include "core/statics/nodal_blocks.hpp"
 #include "support/catch.hpp"
 #include "support/static_cube.hpp"
 
@@ -41,36 +39,4 @@ TEST_CASE("the work of an accepted increment is that of the mean force", "[core]
   const Eigen::Vector3d deviator = strain.array() - trace / 3.0;
   const double energy = 8.0 * (0.5 * 160e9 * trace * trace + 80e9 * deviator.squaredNorm());
   CHECK(cube.state.energies.internal == Approx(energy).epsilon(1e-5));
-}
-
-TEST_CASE("a factor of the whole stiffness undoes it", "[core][statics]") {
-  StaticCube cube({NodeIndex{0}, NodeIndex{2}, NodeIndex{6}});
-  const NodeGraph graph(cube.mesh.n_nodes(), cube.mesh, cube.model.blocks);
-  const FullTangentSettings settings;
-  FullTangent tangent(*cube.problem, graph, settings);
-  CHECK(tangent.renew(Eigen::VectorXd::Zero(cube.problem->size())) > 81);
-  REQUIRE(tangent.exists());
-  Eigen::VectorXd increment = cube.pulled(1e-9), residual, found;
-  cube.problem->project(increment);
-  REQUIRE(cube.problem->evaluate(increment, residual));
-  tangent.apply(-residual, found);
-  CHECK((found - increment).norm() < 1e-4 * increment.norm());
-}
-
-TEST_CASE("nodal blocks are those of the whole stiffness", "[core][statics]") {
-  StaticCube cube;
-  const NodeGraph graph(cube.mesh.n_nodes(), cube.mesh, cube.model.blocks);
-  NodalBlocks blocks(*cube.problem, graph);
-  CHECK(blocks.renew(Eigen::VectorXd::Zero(cube.problem->size())) == 1 + 3 * 8);
-  // The force that moves one node alone, at that node, comes back as its displacement.
-  for (const Eigen::Index unknown : {0, 40, 80}) {
-    Eigen::VectorXd increment = Eigen::VectorXd::Zero(cube.problem->size()), residual, z;
-    increment(unknown) = 1e-9;
-    REQUIRE(cube.problem->evaluate(increment, residual));
-    const Eigen::Index node = unknown / 3;
-    Eigen::VectorXd own = Eigen::VectorXd::Zero(residual.size());
-    own.segment<3>(3 * node) = -residual.segment<3>(3 * node);
-    blocks.apply(own, z);
-    CHECK((z - increment).norm() < 1e-5 * increment.norm());
-  }
 }
