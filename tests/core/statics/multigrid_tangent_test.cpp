@@ -64,22 +64,3 @@ TEST_CASE("what cannot be evaluated leaves the multigrid as it is", "[core][stat
   multigrid.apply(force, after);
   CHECK(before == after);
 }
-
-TEST_CASE("large solids are for multigrid, unless the deck says otherwise", "[core][statics]") {
-  StaticCube small, large({}, 17);
-  const NodeGraph small_graph(small.mesh.n_nodes(), small.mesh, small.model.blocks);
-  const NodeGraph large_graph(large.mesh.n_nodes(), large.mesh, large.model.blocks);
-  const auto choose = [](const StaticCube& cube, const NodeGraph& graph, LinearSolver asked) {
-    return choose_linear_solver(*cube.problem, graph, asked);
-  };
-  CHECK(choose(small, small_graph, LinearSolver::automatic).solver == LinearSolver::direct);
-  CHECK(choose(small, small_graph, LinearSolver::automatic).reason == "there are at most 5000 nodes");
-  CHECK(choose(large, large_graph, LinearSolver::automatic).solver == LinearSolver::multigrid);
-  CHECK(choose(large, large_graph, LinearSolver::direct).solver == LinearSolver::direct);
-  CHECK(choose(small, small_graph, LinearSolver::multigrid).solver == LinearSolver::multigrid);
-  CHECK(choose(small, small_graph, LinearSolver::multigrid).reason.empty());
-  FullTangentSettings settings;
-  settings.linear_solver = LinearSolver::multigrid;
-  const auto made = make_tangent(*small.problem, small_graph, settings);
-  CHECK(dynamic_cast<MultigridTangent*>(made.get()) != nullptr);
-}
