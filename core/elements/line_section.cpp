@@ -17,7 +17,8 @@ namespace {
 class LineReader {
  public:
   LineReader(const Mesh& mesh, std::uint32_t block, const DeckLocation& location, Diagnostics& diagnostics)
-      : block_(mesh.blocks()[block]),
+      : mesh_(mesh),
+        block_(mesh.blocks()[block]),
         name_(mesh.name({EntityKind::block, block})),
         location_(location),
         diagnostics_(diagnostics) {}
@@ -60,7 +61,8 @@ class LineReader {
       if (!size)
         return fail(fmt::format("{} has no {}: neither a section nor an attribute on the mesh", name_, what));
       if (!(*size > 0.0) || !std::isfinite(*size))
-        return fail(fmt::format("{}: the {} of its element {} is {}", name_, what, element + 1, *size));
+        return fail(fmt::format("{}: the {} of its element {} is {}", name_, what,
+                                mesh_.element_id({block_.first_element.value + element}), *size));
       setup.sizes.push_back(*size);
     }
     return finish(std::move(setup), formulation);
@@ -78,6 +80,7 @@ class LineReader {
     return setup;
   }
 
+  const Mesh& mesh_;
   const ElementBlock& block_;
   std::string name_;
   DeckLocation location_;
