@@ -163,18 +163,6 @@ TEST_CASE("a turn of a cohesive element with a thickness strains nothing", "[cor
   }
 }
 
-TEST_CASE("cohesive elements whose faces are not opposite are refused", "[core][cohesive]") {
-  Matrix3Xd x(3, 8);
-  x << 0, 0, 0, 0, 1, 1, 1, 1, 0, 1, 1, 0, 0, 1, 1, 0, 0, 0, 0, 0, 0, 0, 0, 0;  // edges for faces
-  Diagnostics diagnostics;
-  CHECK_FALSE(make_cohesive_block(one_element_mesh(Shape::cohesive8, x), 0, law, 0.0, {}, diagnostics));
-  const Mesh crossed = flat_mesh(Shape::cohesive8, -0.1);
-  CHECK_FALSE(make_cohesive_block(crossed, 0, law, 0.0, {}, diagnostics));
-  CHECK(diagnostics.error_count() == 2);
-  CHECK(diagnostics.all()[1].text ==
-        "block_1: the faces of the cohesive element 1 do not lie opposite each other");
-}
-
 TEST_CASE("the stable step of a cohesive element is that of its nodes on its springs", "[core][cohesive]") {
   Joint joint(Shape::cohesive8);
   Model model;
@@ -185,10 +173,4 @@ TEST_CASE("the stable step of a cohesive element is that of its nodes on its spr
   const double stiffness =
       3.0 * 10.0 / (0.01 * 2e-3) * 2.0 / 4.0;  // of compression, on a quarter of the area
   CHECK(model.blocks[0].cohesive.stable_step[0](0) == Approx(2.0 / std::sqrt(2.0 * stiffness / 0.25)));
-}
-
-TEST_CASE("a deck's section makes blocks cohesive, which skins do not see", "[core][cohesive]") {
-  CHECK(topology(Shape::cohesive8).family == Family::cohesive);
-  CHECK(topology(Shape::cohesive6).name == "WEDGE6");
-  CHECK(find_shape("HEX8", 8) == Shape::hex8);
 }
