@@ -13,7 +13,6 @@ using namespace contactsim;
 namespace {
 
 constexpr double lost_digits = std::numeric_limits<double>::quiet_NaN();
-constexpr double infinity = std::numeric_limits<double>::infinity();
 
 Function made(const FunctionDefinition& definition) {
   Diagnostics diagnostics;
@@ -46,68 +45,6 @@ TEST_CASE("two points of one abscissa are a jump, with the value of the right or
   }
   CHECK(find_jump(definition) == 1.0);
   CHECK_FALSE(find_jump(table_function(FunctionType::piecewise_linear, {{0, 0}, {1, 1}})));
-}
-
-TEST_CASE("a piecewise linear function meets its points and holds its ends", "[core][function]") {
-  const Function f = made(table_function(FunctionType::piecewise_linear, {{1, 10}, {2, 20}, {4, -20}}));
-  CHECK(f.evaluate(1.0) == 10.0);
-  CHECK(f.evaluate(2.0) == 20.0);
-  CHECK(f.evaluate(4.0) == -20.0);
-  CHECK(f.evaluate(1.25) == 12.5);
-  CHECK(f.evaluate(3.0) == 0.0);
-  CHECK(f.evaluate(0.0) == 10.0);
-  CHECK(f.evaluate(-infinity) == 10.0);
-  CHECK(f.evaluate(5.0) == -20.0);
-  CHECK(f.evaluate(infinity) == -20.0);
-  CHECK(std::isnan(f.evaluate(lost_digits)));
-  CHECK_FALSE(f.is_constant());
-}
-
-TEST_CASE("a piecewise linear function equals a search through all its lines", "[core][function]") {
-  std::vector<std::pair<double, double>> points;
-  for (int i = 0; i < 50; ++i) points.emplace_back(i * i, std::sin(i));
-  const Function f = made(table_function(FunctionType::piecewise_linear, points));
-  for (double x = 0.0; x < 2401.0; x += 0.7) {
-    std::size_t i = 0;
-    while (points[i + 1].first <= x) ++i;
-    const auto [x0, y0] = points[i];
-    const auto [x1, y1] = points[i + 1];
-    CHECK(f.evaluate(x) == Approx(y0 + (y1 - y0) / (x1 - x0) * (x - x0)).margin(1e-14));
-  }
-}
-
-TEST_CASE("a piecewise linear function of huge values does not overflow", "[core][function]") {
-  const Function f = made(table_function(FunctionType::piecewise_linear, {{0, -1.5e308}, {1, 1.5e308}}));
-  CHECK(f.evaluate(0.5) == 0.0);
-}
-
-TEST_CASE("a table of one point is its value everywhere", "[core][function]") {
-  for (const FunctionType type : {FunctionType::piecewise_linear, FunctionType::piecewise_constant}) {
-    const Function f = made(table_function(type, {{1, 10}}));
-    CHECK(f.evaluate(0.0) == 10.0);
-    CHECK(f.evaluate(1.0) == 10.0);
-    CHECK(f.evaluate(2.0) == 10.0);
-  }
-}
-
-TEST_CASE("a piecewise constant function steps at its points", "[core][function]") {
-  FunctionDefinition definition =
-      table_function(FunctionType::piecewise_constant, {{1, 10}, {2, 20}, {3, 30}});
-  const Function right = made(definition);
-  definition.at_discontinuity = DiscontinuitySide::left;
-  const Function left = made(definition);
-  for (const Function& f : {right, left}) {
-    CHECK(f.evaluate(0.0) == 10.0);
-    CHECK(f.evaluate(1.0) == 10.0);
-    CHECK(f.evaluate(1.5) == 10.0);
-    CHECK(f.evaluate(2.5) == 20.0);
-    CHECK(f.evaluate(9.0) == 30.0);
-    CHECK(std::isnan(f.evaluate(lost_digits)));
-  }
-  CHECK(right.evaluate(2.0) == 20.0);
-  CHECK(left.evaluate(2.0) == 10.0);
-  CHECK(right.evaluate(3.0) == 30.0);
-  CHECK(left.evaluate(3.0) == 20.0);
 }
 
 TEST_CASE("both coordinates are offset first and scaled then", "[core][function]") {
