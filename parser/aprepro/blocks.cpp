@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The includes and loops of the runner; the rest of it is in aprepro_run.cpp.
+// The includes and loops of the runner; the rest of it is in run.cpp.
 #include <fmt/format.h>
 
 #include <algorithm>
