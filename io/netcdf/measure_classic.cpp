@@ -27,8 +27,9 @@ class Measure {
   std::uint64_t type_size(nc_type type) const;
   std::uint64_t dimensions(int n) const;
   std::uint64_t attributes(int variable, int n) const;
-  /// Adds a variable: its part of the header, and its data.
-  void add_variable(int variable, FileBytes& bytes) const;
+  /// Adds a variable: its part of the header, and its data. Returns the bytes of its records that only pad
+  /// them.
+  std::uint64_t add_variable(int variable, FileBytes& bytes) const;
 
   int id_;
   std::uint64_t n_count_bytes_;
@@ -63,7 +64,7 @@ std::uint64_t Measure::attributes(int variable, int n) const {
   return bytes;
 }
 
-void Measure::add_variable(int variable, FileBytes& bytes) const {
+std::uint64_t Measure::add_variable(int variable, FileBytes& bytes) const {
   Name text{};
   nc_type type = NC_NAT;
   int n_dimensions = 0, n_attributes = 0, records = -1;
@@ -79,7 +80,9 @@ void Measure::add_variable(int variable, FileBytes& bytes) const {
   constexpr std::uint64_t type_bytes = 4, begin_bytes = 8;
   bytes.start += name(text) + n_count_bytes_ * (1 + static_cast<std::uint64_t>(n_dimensions)) +
                  attributes(variable, n_attributes) + type_bytes + n_count_bytes_ + begin_bytes;
-  (n_dimensions > 0 && ids[0] == records ? bytes.record : bytes.start) += padded(n_data);
+  const bool has_records = n_dimensions > 0 && ids[0] == records;
+  (has_records ? bytes.record : bytes.start) += padded(n_data);
+  return has_records ? padded(n_data) - n_data : 0;
 }
 
 FileBytes Measure::file() const {
@@ -89,7 +92,15 @@ FileBytes Measure::file() const {
   FileBytes bytes{
       magic_bytes + n_count_bytes_ + dimensions(n_dimensions) + attributes(NC_GLOBAL, n_attributes) + list(),
       0};
-  for (int variable = 0; variable < n_variables; ++variable) add_variable(variable, bytes);
+  std::uint64_t n_padding = 0;
+  int n_with_records = 0;
+  for (int variable = 0; variable < n_variables; ++variable) {
+    const std::uint64_t before = bytes.record;
+    n_padding += add_variable(variable, bytes);
+    n_with_records += bytes.record > before ? 1 : 0;
+  }
+  // Records of one variable alone are not padded.
+  if (n_with_records == 1) bytes.record -= n_padding;
   return bytes;
 }
 
