@@ -4,9 +4,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <charconv>
+#include <cmath>
 #include <fstream>
-#include <sstream>
 
 #include "core/base/errors.hpp"
 
@@ -19,9 +20,11 @@ bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\r' || c == '\n'; 
 template <class T>
 T number_of(std::string_view text, const TextWords& words, const char* what) {
   T value{};
-  const std::string_view digits = text.starts_with('+') ? text.substr(1) : text;
+  const std::string_view digits = text.starts_with('+') && !text.starts_with("+-") ? text.substr(1) : text;
   const auto [end, failure] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
-  if (failure != std::errc() || end != digits.data() + digits.size())
+  // Words such as nan and inf are numbers to from_chars.
+  if (failure != std::errc() || end != digits.data() + digits.size() ||
+      !std::isfinite(static_cast<double>(value)))
     words.fail(fmt::format("expected {}, found '{}'", what, text));
   return value;
 }
@@ -38,10 +41,13 @@ double real_of(std::string_view text, const TextWords& words) {
 
 TextWords::TextWords(const std::string& path) : path_(path) {
   std::ifstream file(path, std::ios::binary);
-  std::ostringstream text;
-  text << file.rdbuf();
-  if (!file) throw FileError(path, "cannot be read");
-  text_ = std::move(text).str();
+  std::array<char, 65536> part{};
+  while (file) {
+    file.read(part.data(), part.size());
+    text_.append(part.data(), static_cast<std::size_t>(file.gcount()));
+  }
+  // A folder can be opened, but not read.
+  if (!file.eof() || file.bad()) throw FileError(path, "cannot be read");
 }
 
 void TextWords::skip_blanks() {
@@ -70,15 +76,6 @@ std::string_view TextWords::rest_of_line() {
   while (!rest.empty() && is_blank(rest.front())) rest.remove_prefix(1);
   while (!rest.empty() && is_blank(rest.back())) rest.remove_suffix(1);
   return rest;
-}
-
-std::string_view TextWords::line() {
-  if (at_ >= text_.size()) fail("the file ends here, in the middle of something");
-  if (at_ > 0 && text_[at_] == '\n') {
-    ++at_;
-    ++line_;
-  }
-  return rest_of_line();
 }
 
 void TextWords::fail(const std::string& what) const {

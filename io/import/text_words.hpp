@@ -21,8 +21,6 @@ class TextWords {
   double real();
   /// The rest of the line, without its end; "" where there is none.
   std::string_view rest_of_line();
-  /// The next line from its start, without its end. Throws FileError at the end.
-  std::string_view line();
 
   const std::string& path() const { return path_; }
   int line_number() const { return line_; }

@@ -1,17 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "io/import/make_mesh.hpp"
 
-#include <algorithm>
-
 #include "core/base/errors.hpp"
-#include "io/import/inp_elements.hpp"
-#include "io/import/solid_faces.hpp"
-#include "io/import/text_words.hpp"
 #include "support/catch.hpp"
-#include "support/temporary_directory.hpp"
 
 using namespace contactsim;
-using namespace contactsim::test;
 using Catch::Matchers::Contains;
 
 namespace {
@@ -84,43 +77,4 @@ TEST_CASE("a surface that lies on solids in part, or on none where it must, is r
   draft = cube();
   draft.groups.clear();
   CHECK_THROWS_WITH(make_mesh(draft), Contains("no group of elements is a block"));
-}
-
-TEST_CASE("each face of Abaqus and of Exodus is found on its solid, whatever its first corner",
-          "[io][import]") {
-  for (const Shape shape : {Shape::hex8, Shape::tet4, Shape::tet10, Shape::wedge6, Shape::pyramid5}) {
-    ElementBlock block;
-    block.shape = shape;
-    block.n_elements = 1;
-    block.nodes_per_element = topology(shape).n_nodes;
-    for (std::uint32_t i = 0; i < topology(shape).n_nodes; ++i) block.nodes.push_back({10 + i});
-    const SolidFaces faces({&block, 1});
-    std::vector<ElementSide> found;
-    for (const std::vector<int>& corners : inp_faces(shape)) {
-      DraftFace face;
-      for (std::size_t c = 0; c < 4; ++c)
-        face[c] = block.nodes[static_cast<std::size_t>(corners[std::min(c, corners.size() - 1)])];
-      std::rotate(face.begin(), face.begin() + 1, face.end());
-      const auto side = faces.find(face);
-      REQUIRE(side);
-      found.push_back(*side);
-    }
-    std::sort(found.begin(), found.end());
-    CHECK(std::unique(found.begin(), found.end()) == found.end());
-    CHECK_FALSE(faces.find({{{1}, {2}, {3}, {3}}}));
-  }
-}
-
-TEST_CASE("words of a text have their lines", "[io][import]") {
-  const TemporaryDirectory directory;
-  write_bytes(directory.file("t.txt"), "one  +2\n\n 3.5e-1 rest of it \nx");
-  TextWords words(directory.file("t.txt"));
-  CHECK(words.word() == "one");
-  CHECK(words.integer() == 2);
-  CHECK(words.real() == 0.35);
-  CHECK(words.line_number() == 3);
-  CHECK(words.rest_of_line() == "rest of it");
-  CHECK_THROWS_WITH(words.integer(), Contains("t.txt: line 4: expected a whole number, found 'x'"));
-  CHECK(words.is_at_end());
-  CHECK_THROWS_AS(TextWords(directory.file("none")), FileError);
 }
