@@ -2,8 +2,6 @@
 #include "io/import/inp_reader.hpp"
 
 #include "core/base/errors.hpp"
-#include "io/import/inp_elements.hpp"
-#include "io/import/inp_lines.hpp"
 #include "support/catch.hpp"
 #include "support/replaced.hpp"
 #include "support/temporary_directory.hpp"
@@ -84,32 +82,4 @@ TEST_CASE("what is wrong with an input file is said with its line", "[io][import
   CHECK_THAT(inp_message(replaced(cube_text, "1, 4, 1", "1, 4000000000000, 1")),
              Contains("are not the ids of a set"));
   CHECK_THAT(inp_message("*NODE\n1, 0, 0, 0\n"), Contains("no *NODE or no *ELEMENT"));
-}
-
-TEST_CASE("types of elements are known by how they begin, faces as Abaqus counts them", "[io][import]") {
-  CHECK(find_inp_type("S4R")->shape == Shape::shell4);
-  CHECK(find_inp_type("C3D10M")->shape == Shape::tet10);
-  CHECK(find_inp_type("S45") == nullptr);
-  CHECK(find_inp_type("C3D20R") == nullptr);
-  for (const Shape shape : {Shape::hex8, Shape::tet4, Shape::tet10, Shape::wedge6, Shape::pyramid5})
-    CHECK(inp_faces(shape).size() == topology(shape).sides.size());
-  CHECK(inp_faces(Shape::shell4).empty());
-}
-
-TEST_CASE("keyword lines go on behind a comma, parameters ignore case", "[io][import]") {
-  const TemporaryDirectory directory;
-  write_bytes(directory.file("l.inp"), "*Surface, name=\"A b\",\n Type=Element\n1, S1,\n**x\n2, S2\n*End");
-  InpLines lines(directory.file("l.inp"));
-  InpKeyword keyword;
-  REQUIRE(lines.next_keyword(keyword));
-  CHECK(keyword.name == "SURFACE");
-  CHECK(keyword.value("NAME") == "A b");
-  CHECK(keyword.value("TYPE") == "Element");
-  std::vector<std::string> cells;
-  REQUIRE(lines.next_data(cells));
-  CHECK(cells == std::vector<std::string>{"1", "S1"});
-  REQUIRE(lines.next_data(cells));
-  CHECK_FALSE(lines.next_data(cells));
-  REQUIRE(lines.next_keyword(keyword));
-  CHECK_FALSE(lines.next_keyword(keyword));
 }
