@@ -4,7 +4,8 @@
 room from its README.md, and a gallery of decks that it runs. Needs cmark-gfm; pictures need VTK for Python and a display
 or xvfb-run, and are left out without them, which is said.
 
-usage: make_site.py PROGRAM FOLDER
+usage: make_site.py PROGRAM FOLDER [--short]
+  --short  runs of the gallery end after a tenth of their time, for tests
 """
 import html
 import os
@@ -114,12 +115,21 @@ def draw(results, picture, colour, eye):
     return subprocess.run(command, capture_output=True, check=False).returncode == 0 and os.path.exists(picture)
 
 
-def show_deck(program, folder, name, results, colour, eye, arguments):
+def end_early(deck):
+    """Has a run end after a tenth of its time."""
+    text = deck.read_text(encoding="utf-8")
+    deck.write_text(re.sub(r"(termination time = )(\S+)", lambda m: m[1] + str(0.1 * float(m[2])), text),
+                    encoding="utf-8")
+
+
+def show_deck(program, folder, is_short, name, results, colour, eye, arguments):
     """Runs a deck in a folder of its own and tells of it."""
     work = folder / "gallery" / name
     work.mkdir(parents=True, exist_ok=True)
     for ending in ("i", "g"):
         shutil.copy(SOURCE / f"decks/{name}.{ending}", work)
+    if is_short:
+        end_early(work / f"{name}.i")
     subprocess.run([program, f"{name}.i", f"{name}.g", "--quiet", *arguments], cwd=work, check=True,
                    capture_output=True)
     deck = (work / f"{name}.i").read_text(encoding="utf-8")
@@ -142,7 +152,8 @@ def main():
     subprocess.run([program, "manual", "html", str(folder)], check=True)
     pages = all_pages()
     bodies = {name: turn_links(add_anchors(convert(path)), path, pages) for path, name in pages.items()}
-    bodies["gallery.html"] = "<h1>Gallery</h1>\n" + "".join(show_deck(program, folder, *row) for row in GALLERY)
+    bodies["gallery.html"] = "<h1>Gallery</h1>\n" + "".join(
+        show_deck(program, folder, "--short" in sys.argv[3:], *row) for row in GALLERY)
     order = ["index.html", "gallery.html"] + [name for name in bodies if name not in ("index.html", "gallery.html")]
     titles = {name: title_of(bodies[name], name) for name in order}
     own = list(folder.glob("*.html"))

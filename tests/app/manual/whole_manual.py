@@ -16,7 +16,7 @@ import manual_files
 def main():
     program, sources, problems = os.path.abspath(sys.argv[1]), Path(sys.argv[2]), []
     with tempfile.TemporaryDirectory() as folder:
-        subprocess.run([sys.executable, str(sources / "app/manual/make_site.py"), program, folder], check=True)
+        subprocess.run([sys.executable, str(sources / "app/manual/make_site.py"), program, folder, "--short"], check=True)
         manual_files.check_links(folder, problems)
         pages = sorted(name for name in os.listdir(folder) if name.endswith(".html"))
         for name in pages:
