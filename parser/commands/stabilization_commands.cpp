@@ -7,9 +7,10 @@ namespace {
 
 /// CONTACT STABILIZATION = ON, OFF or how many times the automatic coefficient.
 void read_stabilization(Arguments& arguments, StabilizationSettings& stabilization) {
-  if (arguments.accept("on") || arguments.accept("yes")) {
+  // As any switch, or a number.
+  if (arguments.accept("on") || arguments.accept("true") || arguments.accept("yes")) {
     stabilization.scale = 1.0;
-  } else if (arguments.accept("off") || arguments.accept("no")) {
+  } else if (arguments.accept("off") || arguments.accept("false") || arguments.accept("no")) {
     stabilization.scale = 0.0;
   } else {
     stabilization.scale = arguments.non_negative();
