@@ -6,37 +6,6 @@
 
 using namespace contactsim;
 
-namespace {
-
-std::string components(const DirectionChoice& choice) {
-  std::string letters;
-  for (std::size_t i = 0; i < 3; ++i) {
-    if (choice.components[i]) letters += "xyz"[i];
-  }
-  return letters;
-}
-
-DirectionChoice direction_of(const std::string& line) {
-  const BoundRegion bound = bound_region("begin fixed displacement\n" + line + "\nend\n");
-  CHECK(bound.messages == "");
-  return bound.region.fixed_conditions.at(0).direction;
-}
-
-}  // namespace
-
-TEST_CASE("components are letters with blanks, slashes or nothing between them", "[parser][condition]") {
-  CHECK(components(direction_of("component = X")) == "x");
-  CHECK(components(direction_of("component = x z")) == "xz");
-  CHECK(components(direction_of("components = X Y Z")) == "xyz");
-  CHECK(components(direction_of("components = X/Y/Z")) == "xyz");
-  CHECK(components(direction_of("components = x / y")) == "xy");
-  CHECK(components(direction_of("components = y, z")) == "yz");
-  CHECK(components(direction_of("components xy")) == "xy");
-  CHECK(bound_region("begin fixed displacement\ncomponent = w\ncomponents\nend\n").messages ==
-        "a.i:2:13: error: expected X, Y or Z for 'component', found 'w'\n"
-        "a.i:3:1: error: expected X, Y or Z after 'components', found the end of the line\n");
-}
-
 TEST_CASE("a fixed displacement and a fixed rotation are bound with their names", "[parser][condition]") {
   const BoundRegion bound = bound_region(
       "begin fixed displacement base\n node set = n\n component = z\n active periods = p1 p2\nend\n"
