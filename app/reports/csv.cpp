@@ -62,16 +62,6 @@ class CsvSplitter {
 
 }  // namespace
 
-std::string csv_field(const std::string& text) {
-  if (text.find_first_of(",\"\n\r") == std::string::npos) return text;
-  std::string quoted = "\"";
-  for (const char c : text) {
-    quoted += c;
-    if (c == '"') quoted += '"';
-  }
-  return quoted + '"';
-}
-
 std::vector<CsvLine> split_csv(std::string_view text) {
   CsvSplitter splitter;
   for (const char c : text) splitter.add(c);

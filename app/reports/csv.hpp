@@ -7,9 +7,6 @@
 
 namespace contactsim {
 
-/// A field of a CSV file: quoted when it holds a comma, a quote or a line end.
-std::string csv_field(const std::string& text);
-
 /// A line of a CSV file.
 struct CsvLine {
   int number = 0;  ///< of the text line that it begins on, from 1

@@ -5,10 +5,10 @@
 
 #include <nlohmann/json.hpp>
 
-#include "app/reports/csv.hpp"
 #include "app/reports/interaction_report.hpp"
 #include "app/reports/number.hpp"
 #include "app/reports/text_table.hpp"
+#include "core/base/csv_field.hpp"
 #include "core/interface_laws/interface_law_table.hpp"
 
 namespace contactsim {

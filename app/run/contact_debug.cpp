@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "app/run/contact_debug.hpp"
 
+#include "core/base/csv_field.hpp"
 #include "core/definition/simulation.hpp"
 
 #include <fmt/format.h>
@@ -42,8 +43,8 @@ std::string format_places_csv(const ContactForce& force, const ContactModel& con
     const bool is_rigid = place.second.weights.isZero(0.0);
     const std::int64_t node = mesh.node_id({force.contact_mesh().mesh_nodes[place.first.nodes[0]]});
     fmt::format_to(out, "{},{},{},{},{},{:.9g},{:.9g},{:.9g},{:.9g},{:.9g},{:.9g}\n",
-                   surfaces[place.is_swapped ? pair.second : pair.first].name,
-                   surfaces[place.is_swapped ? pair.first : pair.second].name,
+                   csv_field(surfaces[place.is_swapped ? pair.second : pair.first].name),
+                   csv_field(surfaces[place.is_swapped ? pair.first : pair.second].name),
                    is_node ? "," : face_of(place.first_entity, place.is_of_edges),
                    is_node ? fmt::to_string(node) : "",
                    is_rigid ? "," : face_of(place.second_entity, place.is_of_edges), place.open_gap(),

@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "app/sweep/study_files.hpp"
+#include "core/base/csv_field.hpp"
 
 #include <fmt/format.h>
 
 #include <array>
 #include <string_view>
-
-#include "app/reports/csv.hpp"
 
 namespace contactsim {
 

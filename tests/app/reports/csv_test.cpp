@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "app/reports/csv.hpp"
 
+#include "core/base/csv_field.hpp"
 #include "support/catch.hpp"
 
 using namespace contactsim;

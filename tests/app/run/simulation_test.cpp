@@ -8,20 +8,17 @@
 #include <cmath>
 
 #include "contact/enforcement/contact_force.hpp"
-#include "core/definition/simulation.hpp"
-#include "parser/deck.hpp"
 #include "support/catch.hpp"
 #include "support/exodus_file.hpp"
 #include "support/exodus_times.hpp"
+#include "support/flying_cube.hpp"
 #include "support/mesh_builder.hpp"
 #include "support/program_run.hpp"
 
 using Catch::Matchers::Contains;
-using contactsim::Mesh;
-using contactsim::Region;
 using contactsim::RunEvent;
 using contactsim::Simulation;
-using contactsim::SimulationDefinition;
+using contactsim::test::FlyingCube;
 using contactsim::test::MeshBuilder;
 using contactsim::test::ProgramDirectory;
 using contactsim::test::read_times;
@@ -135,37 +132,8 @@ TEST_CASE("what a run does not act on yet is refused at its line", "[app][transi
   CHECK_THAT(touched.out, Contains("\nContact surfaces\n"));
 }
 
-namespace {
-
-/// A cube that flies into another one, without files.
-struct TwoCubes {
-  contactsim::Diagnostics diagnostics;
-  Mesh mesh = MeshBuilder()
-                  .add_hexes({1, "lower", {2, 2, 2}})
-                  .add_hexes({2, "upper", {1, 1, 1}, {0, 0, 1.01}, {1, 1, 1}, false})
-                  .build();
-  SimulationDefinition definition = contactsim::parse_deck_text(
-      "a.i",
-      "begin sierra\nbegin material m\ndensity = 1\nbegin parameters for model elastic\nyoungs modulus = "
-      "100\n"
-      "poissons ratio = 0.3\nend\nend\nbegin finite element model f\nbegin parameters for block lower upper\n"
-      "material = m\nmodel = elastic\nend\nend\nbegin presto procedure p\nbegin time control\n"
-      "begin time stepping block t\nstart time = 0\nend\ntermination time = 0.5\nend\n"
-      "begin presto region r\nuse finite element model f\n"
-      "begin initial velocity\nblock = upper\ncomponent = z\nmagnitude = -1\nend\n"
-      "begin contact definition\nskin all blocks = on\nbegin interaction defaults\ngeneral contact = "
-      "on\nend\n"
-      "end\nend\nend\nend\n",
-      {}, diagnostics);
-  const Region& region = definition.procedures.front().regions.front();
-  contactsim::ContactModel contact = contactsim::make_contact_model(definition, region, mesh, diagnostics);
-  Simulation simulation{{definition, definition.procedures.front(), region, mesh, &contact}, {}, diagnostics};
-};
-
-}  // namespace
-
 TEST_CASE("observers are told of the start, of every step and of the end", "[app][simulation]") {
-  TwoCubes cubes;
+  FlyingCube cubes;
   std::vector<RunEvent> events;
   double momentum_error = 0.0;
   cubes.simulation.observe([&](RunEvent event, const Simulation& run) {
@@ -173,9 +141,7 @@ TEST_CASE("observers are told of the start, of every step and of the end", "[app
     if (event == RunEvent::step)
       momentum_error = std::max(momentum_error, std::abs(run.state().momentum[2] + 1.0));
   });
-  cubes.simulation.begin();
-  while (!cubes.simulation.is_over()) cubes.simulation.step();
-  cubes.simulation.finish();
+  cubes.run_to_end();
   const auto n_steps = static_cast<std::size_t>(cubes.simulation.state().step);
   REQUIRE(events.size() == n_steps + 4);
   CHECK(events[0] == RunEvent::restart_sought);
@@ -187,9 +153,8 @@ TEST_CASE("observers are told of the start, of every step and of the end", "[app
 }
 
 TEST_CASE("a simulation that is stopped is over with the step that it has come to", "[app][simulation]") {
-  TwoCubes cubes;
-  cubes.simulation.begin();
-  cubes.simulation.step();
+  FlyingCube cubes;
+  cubes.run(1);
   cubes.simulation.stop("a caller");
   CHECK(cubes.simulation.is_over());
   cubes.simulation.finish();
@@ -198,10 +163,10 @@ TEST_CASE("a simulation that is stopped is over with the step that it has come t
 }
 
 TEST_CASE("a simulation of a wrong definition throws all errors", "[app][simulation]") {
-  TwoCubes cubes;
+  FlyingCube cubes;
   cubes.diagnostics.add_error({}, "an earlier one");
   CHECK_THROWS_AS(
-      Simulation({cubes.definition, cubes.definition.procedures.front(), cubes.region, cubes.mesh}, {},
+      Simulation({cubes.definition, cubes.definition.procedures.front(), cubes.region(), cubes.mesh}, {},
                  cubes.diagnostics),
       contactsim::DeckError);
 }
