@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <nlohmann/json.hpp>
 
 #include "app/report/packed_frames.hpp"
@@ -18,7 +19,9 @@ using Json = nlohmann::ordered_json;
 
 /// What a curve or a time shows.
 Json rounded(double value) {
-  return std::isfinite(value) ? Json(std::stod(fmt::format("{:.6g}", value))) : Json(nullptr);
+  if (!std::isfinite(value)) return nullptr;
+  // std::stod throws at numbers too small to have all their digits.
+  return std::strtod(fmt::format("{:.6g}", value).c_str(), nullptr);
 }
 
 Json rounded(const std::vector<double>& values) {
