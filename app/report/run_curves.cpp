@@ -46,12 +46,17 @@ void RunCurves::look(RunEvent event, const Simulation& run) {
 void RunCurves::note(const Simulation& run) {
   const State& state = run.state();
   last_step_ = state.step;
+  // Before, not behind: the last step of a run is to stay.
+  if (times_.size() >= max_noted) thin_out();
   energies_.resize(std::size(energy_rows));
   times_.push_back(state.time);
   for (std::size_t i = 0; i < energies_.size(); ++i)
     energies_[i].push_back(state.energies.*energy_rows[i].member);
   if (run.contact_force() != nullptr) note_pairs(run);
-  if (times_.size() >= max_noted) thin_out();
+  for (auto& [key, pair] : pairs_) {  // those that do not touch, too
+    pair.force.resize(times_.size(), 0.0);
+    pair.penetration.resize(times_.size(), 0.0);
+  }
 }
 
 void RunCurves::note_pairs(const Simulation& run) {
@@ -59,19 +64,13 @@ void RunCurves::note_pairs(const Simulation& run) {
   const ContactModel& model = *run.contact_model();
   for (const PairIndex i : indices(model.pairs)) {
     if (!steps[i].touches) continue;
-    PairCurve& pair = pairs_[i.value];
     const SurfacePair& of = model.pairs[i];
-    if (pair.name.empty())
-      pair.name = fmt::format("{} – {}", model.surfaces.surfaces[of.first].name,
-                              model.surfaces.surfaces[of.second].name);
+    PairCurve& pair = pairs_[{i.value, fmt::format("{} – {}", model.surfaces.surfaces[of.first].name,
+                                                   model.surfaces.surfaces[of.second].name)}];
     pair.force.resize(times_.size(), 0.0);
     pair.penetration.resize(times_.size(), 0.0);
     pair.force.back() = steps[i].force.norm();
     pair.penetration.back() = steps[i].penetration;
-  }
-  for (auto& [number, pair] : pairs_) {
-    pair.force.resize(times_.size(), 0.0);
-    pair.penetration.resize(times_.size(), 0.0);
   }
 }
 
@@ -79,7 +78,7 @@ void RunCurves::thin_out() {
   stride_ *= 2;
   keep_every_second(times_);
   for (auto& energy : energies_) keep_every_second(energy);
-  for (auto& [number, pair] : pairs_) {
+  for (auto& [key, pair] : pairs_) {
     keep_every_second(pair.force);
     keep_every_second(pair.penetration);
   }
@@ -87,13 +86,13 @@ void RunCurves::thin_out() {
 
 CurveChart RunCurves::pair_chart(const char* title, const char* dimension,
                                  std::vector<double> PairCurve::*values) const {
-  std::vector<const PairCurve*> largest;
-  for (const auto& [number, pair] : pairs_) largest.push_back(&pair);
+  std::vector<const std::pair<const PairKey, PairCurve>*> largest;
+  for (const auto& pair : pairs_) largest.push_back(&pair);
   std::ranges::stable_sort(largest, std::greater{},
-                           [&](const PairCurve* pair) { return largest_of(pair->*values); });
+                           [&](const auto* pair) { return largest_of(pair->second.*values); });
   if (largest.size() > max_pairs) largest.resize(max_pairs);
   CurveChart chart{title, "", dimension, times_, {}};
-  for (const PairCurve* pair : largest) chart.curves.push_back({pair->name, pair->*values});
+  for (const auto* pair : largest) chart.curves.push_back({pair->first.second, pair->second.*values});
   return chart;
 }
 

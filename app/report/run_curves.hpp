@@ -3,6 +3,8 @@
 
 #include <cstdint>
 #include <map>
+#include <string>
+#include <utility>
 #include <vector>
 
 #include "app/report/curves.hpp"
@@ -22,10 +24,12 @@ class RunCurves {
  private:
   /// A pair's values; those before its first touch are zero.
   struct PairCurve {
-    std::string name;
     std::vector<double> force;        ///< norm of the net force [force]
     std::vector<double> penetration;  ///< deepest of what touches [length]
   };
+
+  /// Position and name: procedures have pairs of their own.
+  using PairKey = std::pair<std::uint32_t, std::string>;
 
   void note(const Simulation& run);
   void note_pairs(const Simulation& run);
@@ -36,7 +40,7 @@ class RunCurves {
   std::int64_t stride_ = 1, last_step_ = -1;
   std::vector<double> times_;
   std::vector<std::vector<double>> energies_;
-  std::map<std::uint32_t, PairCurve> pairs_;  // by position
+  std::map<PairKey, PairCurve> pairs_;
 };
 
 }  // namespace contactsim
