@@ -76,17 +76,6 @@ TEST_CASE("text at the end of a row is broken at blanks under itself", "[app][ta
   CHECK(joined == words + "end ");
 }
 
-TEST_CASE("lines are broken at blanks, and a long word stays whole", "[app][table]") {
-  CHECK(wrap_text("") == "");
-  CHECK(wrap_text("short\n\n  lines") == "short\n\n  lines");
-  const std::string path(150, 'p'), half(70, 'h');
-  CHECK(wrap_text("  writes " + path + ", b\n") == "  writes " + path + ",\n      b\n");
-  CHECK(wrap_text(half + " " + half + "\nend\n") == half + "\n      " + half + "\nend\n");
-  const std::string umlauts = "\u00e4\u00f6\u00fc";
-  CHECK(n_columns(umlauts) == 3);
-  CHECK(wrap_text(umlauts + std::string(117, 'x')) == umlauts + std::string(117, 'x'));
-}
-
 TEST_CASE("no line of tables, checks and runs is longer than 120 columns", "[app][table]") {
   const std::string deck = GENERATE("two_blocks", "impact", "taylor_bar");
   const ProgramDirectory directory;
