@@ -3,6 +3,8 @@
 
 #include <CLI/CLI.hpp>
 
+#include "app/cli/number_checks.hpp"
+
 namespace contactsim {
 
 namespace {
@@ -33,12 +35,12 @@ void add_values(CLI::App& sweep, SweepOptions& options) {
                      ->type_name("FILE");
   sweep.add_option("--latin", options.n_samples, "Latin hypercube of N points over ranges and lists")
       ->type_name("N")
-      ->check(CLI::PositiveNumber)
+      ->check(positive_number())
       ->excludes(points);
   sweep.add_option("--seed", options.seed, "Of the Latin hypercube, 1 unless given")->type_name("S");
   sweep.add_option("--max-runs", options.max_runs, "More runs are refused; 10000 unless given")
       ->type_name("N")
-      ->check(CLI::PositiveNumber);
+      ->check(positive_number());
 }
 
 }  // namespace

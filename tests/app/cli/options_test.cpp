@@ -1,24 +1,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "app/cli/options.hpp"
 
+#include "app/cli/command_words.hpp"
 #include "support/catch.hpp"
 #include "support/program_run.hpp"
 
 using namespace contactsim;
 using Catch::Matchers::Contains;
 using contactsim::test::ProgramDirectory;
-
-namespace {
-
-CommandLine read(std::vector<const char*> arguments) {
-  arguments.insert(arguments.begin(), "contactsim");
-  return read_command_line(static_cast<int>(arguments.size()), arguments.data());
-}
-
-}  // namespace
+using contactsim::test::read_words;
 
 TEST_CASE("a deck alone asks for the whole run", "[app][options]") {
-  const auto [options, exit_code] = read({"plate.i"});
+  const auto [options, exit_code] = read_words({"plate.i"});
   REQUIRE_FALSE(exit_code);
   CHECK(options.deck == "plate.i");
   CHECK(options.stage == Stage::run);
@@ -29,10 +22,10 @@ TEST_CASE("a deck alone asks for the whole run", "[app][options]") {
 }
 
 TEST_CASE("every option reaches its field", "[app][options]") {
-  const auto [options, exit_code] =
-      read({"decks/plate.i",  "plate.g", "-o",         "r.e",   "--check",   "--surfaces-json", "s.json",
-            "--surfaces-csv", "s.csv",   "--surfaces", "s.exo", "--lenient", "--threads",       "3",
-            "--log",          "l.txt",   "-D",         "a=1",   "-Db=x y",   "--define",        "c=2"});
+  const auto [options, exit_code] = read_words(
+      {"decks/plate.i",  "plate.g", "-o",         "r.e",   "--check",   "--surfaces-json", "s.json",
+       "--surfaces-csv", "s.csv",   "--surfaces", "s.exo", "--lenient", "--threads",       "3",
+       "--log",          "l.txt",   "-D",         "a=1",   "-Db=x y",   "--define",        "c=2"});
   REQUIRE_FALSE(exit_code);
   CHECK(options.stage == Stage::check);
   CHECK(options.mesh == "plate.g");
@@ -47,14 +40,14 @@ TEST_CASE("every option reaches its field", "[app][options]") {
 }
 
 TEST_CASE("a -D does not swallow the deck and the mesh after it", "[app][options]") {
-  const auto [options, exit_code] = read({"-D", "a=1", "plate.i", "plate.g"});
+  const auto [options, exit_code] = read_words({"-D", "a=1", "plate.i", "plate.g"});
   REQUIRE_FALSE(exit_code);
   CHECK(options.deck == "plate.i");
   CHECK(options.mesh == "plate.g");
 }
 
 TEST_CASE("explain takes its words in any number", "[app][options]") {
-  const auto [options, exit_code] = read({"explain", "contact", "surface"});
+  const auto [options, exit_code] = read_words({"explain", "contact", "surface"});
   REQUIRE_FALSE(exit_code);
   CHECK(options.explains);
   CHECK(options.explain_words == std::vector<std::string>{"contact", "surface"});
