@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include "core/base/pluralize.hpp"
 #include "core/statics/sparse_factor.hpp"
 
 namespace contactsim {
@@ -37,7 +38,8 @@ std::string format_load_step(const State& state, const LoadStepReport& report, b
     remark += fmt::format("  stabilization bears {:.2g}", *report.stabilizing_force);
   if (report.n_again > 0) remark += fmt::format("  anew after deaths: {}", report.n_again);
   if (report.has_left_newton) remark += "  by nodal blocks, the full tangent led nowhere";
-  if (report.n_negative > 0) remark += fmt::format("  not stable along {} directions", report.n_negative);
+  if (report.n_negative > 0)
+    remark += "  not stable along " + pluralize(static_cast<std::size_t>(report.n_negative), "direction");
   return fmt::format("{:>9} {:>13.6e} {:>12.4e} {:>13.5e} {:>13.5e} {:>10} {:>10} {:>12.4e} {:>8}{}\n",
                      state.step, state.time, state.dt, state.energies.internal, state.energies.external,
                      search.n_iterations, report.n_evaluations, left, report.n_cutbacks, remark);

@@ -84,9 +84,9 @@ void LoadStepWarnings::end(const State& state) const {
   if (n_with_deaths_ > 0)
     warnings_.add_warning(
         "deaths-left", {},
-        fmt::format("in {} load steps, the first of them {}, elements still died in the last iteration of "
+        fmt::format("in {}, the first of them {}, elements still died in the last iteration of "
                     "CONTROL FAILURE: the step after finds the equilibrium without them",
-                    n_with_deaths_, first_with_deaths_),
+                    pluralize(static_cast<std::size_t>(n_with_deaths_), "load step"), first_with_deaths_),
         "MAXIMUM ITERATIONS of BEGIN CONTROL FAILURE says how many there are");
   if (updates_.n > 0)
     warnings_.add_warning("multipliers-unfinished", {},
