@@ -91,22 +91,3 @@ TEST_CASE("rows of the page are whole and few mean the same", "[app][explain]") 
   }
   for (const LeftOut& row : left_out_rows()) CHECK((!row.what.empty() && !row.why.empty()));
 }
-
-TEST_CASE("explain prints the page of one program or of all, and single keywords", "[app][explain]") {
-  const ProgramDirectory directory;
-  const auto [code, out, err] = directory.run({"explain", "coming", "from", "Abaqus"});
-  CHECK(code == 0);
-  CHECK_THAT(out, Contains("*CONTACT EXCLUSIONS with a, b") && Contains("EXCLUDE SURFACES = a b") &&
-                      Contains("in BEGIN INTERACTION DEFAULTS") && Contains("left out, and why") &&
-                      !Contains("SFPRPEN"));
-  CHECK_THAT(directory.run({"explain", "coming from"}).out, Contains("SFPRPEN") && Contains("CalculiX"));
-  CHECK_THAT(directory.run({"explain", "*contact", "pair,", "adjust=0.01"}).out,
-             Contains("GAP CLOSURE TOLERANCE = 0.01"));
-  std::size_t begin = 0;
-  while (begin < out.size()) {
-    const std::size_t end = std::min(out.find('\n', begin), out.size());
-    CHECK(end - begin <= 100);
-    begin = end + 1;
-  }
-  CHECK(directory.run({"explain", "coming from nowhere"}).exit_code == 2);
-}

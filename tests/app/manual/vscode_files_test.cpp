@@ -1,15 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "app/manual/grammars.hpp"
-
 #include <nlohmann/json.hpp>
 #include <regex>
 
-#include "app/manual/phrase_pattern.hpp"
+#include "app/manual/grammars.hpp"
 #include "parser/command_tree.hpp"
 #include "support/catch.hpp"
 
 using namespace contactsim;
-using Catch::Matchers::Contains;
 
 namespace {
 
@@ -77,18 +74,4 @@ TEST_CASE("the extension names the files that it has", "[app][manual]") {
   CHECK("./" + files.at(1).path == package["contributes"]["languages"][0]["configuration"]);
   CHECK("./" + files.at(2).path == package["contributes"]["grammars"][0]["path"]);
   CHECK(nlohmann::json::parse(files.at(1).text)["comments"]["lineComment"] == "#");
-}
-
-TEST_CASE("the syntax of Vim has every phrase, the longest first", "[app][manual]") {
-  const std::vector<ManualFile> files = make_vim_files();
-  const std::string& syntax = files.at(0).text;
-  const PhraseSets sets = phrase_sets();
-  for (const auto* set : {&sets.blocks, &sets.commands, &sets.ignored, &sets.refused}) {
-    CHECK_FALSE(set->empty());
-    CHECK(std::is_sorted(set->begin(), set->end(),
-                         [](const auto& a, const auto& b) { return a.size() > b.size(); }));
-    for (const std::string& phrase : *set)
-      CHECK_THAT(syntax, Contains(phrase_pattern({phrase}, "[ _\\t]\\+", "")));
-  }
-  CHECK(phrase_pattern({"a b", "c"}, "_", "|") == "a_b|c");
 }

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "app/manual/completions.hpp"
-
 #include "app/manual/sample_commands.hpp"
 #include "support/catch.hpp"
 
@@ -15,13 +14,4 @@ TEST_CASE("bash completes values by their kind, options and words", "[app][manua
   CHECK_THAT(text, Contains("compgen -W '-o --output --quiet' -- \"$word\""));
   CHECK_THAT(text, Contains("compgen -W 'up down' -- \"$word\""));
   CHECK_THAT(text, Contains("_contactsim_files .i .inp"));
-}
-
-TEST_CASE("zsh and fish get the same, quoted as they want it", "[app][manual]") {
-  const std::string zsh = make_zsh_completion(sample_commands()).text;
-  CHECK_THAT(zsh, Contains("'*--output=[Results \\[of a run\\]\\: here]:FILE:_files'"));
-  CHECK_THAT(zsh, Contains("'*--quiet[Prints less]'") && Contains("':KIND:(up down)'"));
-  const std::string fish = make_fish_completion(sample_commands()).text;
-  CHECK_THAT(fish, Contains("-s o -l output -F -d 'Results [of a run]: here'"));
-  CHECK_THAT(fish, Contains("__fish_seen_subcommand_from sort' -x -a 'up down'"));
 }
