@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "app/report/write_report.hpp"
 
-#include <cstdlib>
 #include <nlohmann/json.hpp>
 
-#include "app/report/report_json.hpp"
 #include "core/base/errors.hpp"
 #include "support/catch.hpp"
 #include "support/temporary_directory.hpp"
@@ -22,12 +20,6 @@ std::vector<ReportRun> make_runs(const std::string& deck) {
   runs[0].found.add_warning("odd", {}, "what is <this>?");
   return runs;
 }
-
-/// Sets the folder of libraries as long as it lives.
-struct LibraryFolder {
-  explicit LibraryFolder(const std::string& path) { setenv("CONTACTSIM_JAVASCRIPT", path.c_str(), 1); }
-  ~LibraryFolder() { unsetenv("CONTACTSIM_JAVASCRIPT"); }
-};
 
 }  // namespace
 
@@ -58,18 +50,4 @@ TEST_CASE("a page replaces a page and nothing else", "[app][report]") {
   write_bytes(directory.file("mesh.g"), "CDF\x01");
   CHECK_THROWS_WITH(write_report(directory.file("mesh.g"), make_runs("x"), {"a", "b", "c"}),
                     Contains("no HTML"));
-}
-
-TEST_CASE("a missing library is named with its package and the variable", "[app][report]") {
-  const TemporaryDirectory directory;
-  const LibraryFolder folder(directory.file("nowhere"));
-  CHECK_THROWS_WITH(read_page_libraries(), Contains("nowhere/three/three.min.js") &&
-                                               Contains("libjs-three") && Contains("CONTACTSIM_JAVASCRIPT"));
-}
-
-TEST_CASE("Debian's libraries are found", "[app][report]") {
-  const PageLibraries libraries = read_page_libraries();
-  CHECK_THAT(libraries.three, Contains("WebGLRenderer"));
-  CHECK_THAT(libraries.orbit_controls, Contains("OrbitControls"));
-  CHECK_THAT(libraries.chart, Contains("Chart.js v3"));
 }
