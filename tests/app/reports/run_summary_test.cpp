@@ -1,60 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "app/reports/run_summary.hpp"
 
-#include <limits>
-#include <nlohmann/json.hpp>
-
 #include "support/catch.hpp"
 #include "support/temporary_directory.hpp"
 
 using namespace contactsim;
-using nlohmann::json;
-
-TEST_CASE("a number that is not finite is null in a summary", "[app][summary]") {
-  RunSummary summary;
-  summary.run.emplace();
-  summary.run->energies.internal = std::numeric_limits<double>::quiet_NaN();
-  summary.run->energies.error = std::numeric_limits<double>::infinity();
-  SummaryPair pair;
-  pair.history.emplace().deepest_share = std::numeric_limits<double>::infinity();
-  summary.pairs = {pair};
-  const json written = json::parse(format_summary(summary));
-  CHECK(written["run"]["energies"]["internal"].is_null());
-  CHECK(written["run"]["energies"]["error"].is_null());
-  CHECK(written["run"]["energies"]["kinetic"] == 0.0);
-  CHECK(written["pairs"][0]["deepest_share"].is_null());
-  CHECK(written["run"]["wall_time"].is_null());
-}
-
-TEST_CASE("warnings of a summary are counted by id, errors keep their order", "[app][summary]") {
-  RunSummary summary;
-  summary.found.add_warning("b-id", {}, "first of b");
-  summary.found.add_warning("a-id", {}, "of a");
-  summary.found.add_warning("b-id", {}, "second of b");
-  summary.found.add_error({}, "z", "do this");
-  summary.error_lines = {"error: a file"};
-  const json written = json::parse(format_summary(summary));
-  REQUIRE(written["warnings"].size() == 2);
-  CHECK(written["warnings"][0]["id"] == "a-id");
-  CHECK(written["warnings"][1]["count"] == 2);
-  CHECK(written["warnings"][1]["text"] == "first of b");
-  REQUIRE(written["errors"].size() == 2);
-  CHECK(written["errors"][0]["text"] == "z; do this");
-  CHECK(written["errors"][0]["line"].is_null());
-  CHECK(written["errors"][1]["text"] == "a file");
-}
-
-TEST_CASE("a state of a summary follows from its exit code", "[app][summary]") {
-  RunSummary summary;
-  const auto state = [&] { return json::parse(format_summary(summary))["state"]; };
-  CHECK(state() == "running");
-  summary.exit_code = ExitCode::done;
-  CHECK(state() == "done");
-  summary.exit_code = ExitCode::stopped;
-  CHECK(state() == "stopped");
-  summary.exit_code = ExitCode::solve;
-  CHECK(state() == "failed");
-}
 
 TEST_CASE("files of the same bytes have the same digest", "[app][summary]") {
   const test::TemporaryDirectory directory;
@@ -65,4 +15,31 @@ TEST_CASE("files of the same bytes have the same digest", "[app][summary]") {
   CHECK(digest_of_file(directory.file("a")) == digest_of_file(directory.file("b")));
   CHECK(digest_of_file(directory.file("a")) != digest_of_file(directory.file("c")));
   CHECK(digest_of_file(directory.file("none")) == "");
+}
+
+TEST_CASE("a digest has 16 hexadecimal digits", "[app][summary]") {
+  CHECK(format_digest(0) == "0000000000000000");
+  CHECK(format_digest(0xABCDEF) == "0000000000abcdef");
+  CHECK(format_digest(~std::uint64_t{0}) == "ffffffffffffffff");
+}
+
+TEST_CASE("pairs of a model are noted by number, names and line, without a history", "[app][summary]") {
+  ContactModel model;
+  for (const char* name : {"lid", "box"}) model.surfaces.surfaces.emplace_back().name = name;
+  model.pairs.resize(2);
+  model.pairs[{0}].second = {1};
+  model.pairs[{0}].interaction = "tie";
+  model.pairs[{0}].location.line = 9;
+  model.pairs[{1}].interaction = "self contact";
+  RunSummary summary;
+  note_pairs(model, summary);
+  CHECK(summary.n_pairs == 2);
+  REQUIRE(summary.pairs.size() == 2);
+  CHECK(summary.pairs[0].number == 1);
+  CHECK(summary.pairs[0].first == "lid");
+  CHECK(summary.pairs[0].second == "box");
+  CHECK(summary.pairs[0].interaction == "tie");
+  CHECK(summary.pairs[0].line == 9);
+  CHECK_FALSE(summary.pairs[0].history);
+  CHECK(summary.pairs[1].second == "lid");
 }
