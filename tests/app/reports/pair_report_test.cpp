@@ -3,9 +3,11 @@
 
 #include "support/catch.hpp"
 #include "support/friction_law.hpp"
+#include "support/squeezed.hpp"
 
 using namespace contactsim;
 using Catch::Contains;
+using contactsim::test::squeezed;
 
 namespace {
 
@@ -47,18 +49,6 @@ SurfaceSummaries three_summaries() {
   summaries[{1}].nodes = 9;
   summaries[{2}].nodes = 5;
   return summaries;
-}
-
-/// The text with runs of blanks made one and those at line starts and ends dropped.
-std::string squeezed(const std::string& text) {
-  std::string result;
-  for (const char c : text) {
-    const bool is_blank_before = result.empty() || result.back() == ' ' || result.back() == '\n';
-    if (c == ' ' && is_blank_before) continue;
-    if (c == '\n' && !result.empty() && result.back() == ' ') result.pop_back();
-    result += c;
-  }
-  return result;
 }
 
 }  // namespace
