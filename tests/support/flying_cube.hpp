@@ -15,7 +15,8 @@ namespace contactsim::test {
 /// Lines of a deck beside those of a flying cube.
 struct CubeLines {
   std::string contact =
-      "begin interaction defaults\ngeneral contact = on\nend\n";  ///< of the contact definition, before the skin
+      "begin interaction defaults\ngeneral contact = on\nend\n";  ///< of the contact definition, before the
+                                                                  ///< skin
   std::string region = "";
   std::string parameters = "";  ///< of the block "upper"
   std::string time = "";        ///< of the parameters of the time stepping block
