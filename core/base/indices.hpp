@@ -4,19 +4,15 @@
 #include <compare>
 #include <cstdint>
 
+#include "core/base/index.hpp"
+
 namespace contactsim {
 
 /// Position of a node in the mesh, from 0. Not the user's node id (see Mesh::node_id).
-struct NodeIndex {
-  std::uint32_t value = 0;
-  auto operator<=>(const NodeIndex&) const = default;
-};
+using NodeIndex = Index<struct MeshNodeKind>;
 
 /// Position of an element in the mesh, from 0, counted through the blocks in file order.
-struct ElementIndex {
-  std::uint32_t value = 0;
-  auto operator<=>(const ElementIndex&) const = default;
-};
+using ElementIndex = Index<struct MeshElementKind>;
 
 /// One side of one element, by element position and Exodus side number (from 1).
 /// Ordered by element, then side. Packed into 32 bits because skins hold millions of them.
