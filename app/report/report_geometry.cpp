@@ -36,7 +36,7 @@ class GeometryMaker {
  public:
   GeometryMaker(const Mesh& mesh, const std::optional<ReportRegion>& region, const ElementLife& life)
       : mesh_(mesh), life_(life) {
-    point_of_node_.assign(mesh.n_nodes(), none);
+    point_of_node_.assign(mesh.n_nodes(), std::nullopt);
     if (region && region->region.contact) owners_ = std::make_unique<FaceOwners>(*region, mesh);
     if (!owners_) of_sets_ = owners_of_sets(mesh, made_.owners);
     made_.radii.assign(mesh.blocks().size(), 0.0);
@@ -60,8 +60,6 @@ class GeometryMaker {
   }
 
  private:
-  static constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
-
   Family family_of(std::uint32_t block) const { return topology(mesh_.blocks()[block].shape).family; }
 
   std::vector<ElementSide> find_faces() const {
@@ -117,12 +115,12 @@ class GeometryMaker {
   }
 
   void number(std::uint32_t& node) {
-    std::uint32_t& point = point_of_node_[node];
-    if (point == none) {
+    OptionalIndex<std::uint32_t>& point = point_of_node_[node];
+    if (!point) {
       point = static_cast<std::uint32_t>(made_.nodes.size());
       made_.nodes.push_back({node});
     }
-    node = point;
+    node = *point;
   }
 
   template <class Things>
@@ -140,7 +138,7 @@ class GeometryMaker {
   const ElementLife& life_;
   std::unique_ptr<FaceOwners> owners_;
   SetOwners of_sets_;
-  std::vector<std::uint32_t> point_of_node_;  // [n_nodes]
+  std::vector<OptionalIndex<std::uint32_t>> point_of_node_;  // [n_nodes]
   ReportGeometry made_;
 };
 

@@ -4,13 +4,13 @@
 #include <Eigen/Core>
 #include <array>
 #include <cstdint>
-#include <limits>
 #include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "app/report/element_life.hpp"
+#include "core/base/optional_index.hpp"
 #include "core/definition/declarations.hpp"
 #include "core/mesh/mesh.hpp"
 
@@ -22,10 +22,10 @@ struct ReportFace {
   ElementIndex element;
   int side = 1;  ///< Exodus side number; 1 of a shell, which is drawn once
   std::uint32_t block = 0;
-  std::uint32_t owner = 0;       ///< position in ReportGeometry::owners plus 1; 0: of no surface
-  std::uint32_t claims = 0;      ///< position in ReportGeometry::lost
-  std::uint32_t shown_from = 0;  ///< position of a stored time
-  std::uint32_t hidden_from = std::numeric_limits<std::uint32_t>::max();  ///< the same
+  std::uint32_t owner = 0;                   ///< position in ReportGeometry::owners plus 1; 0: of no surface
+  std::uint32_t claims = 0;                  ///< position in ReportGeometry::lost
+  std::uint32_t shown_from = 0;              ///< position of a stored time
+  OptionalIndex<std::uint32_t> hidden_from;  ///< the same; none without deaths
 };
 
 /// A beam, truss or spring to draw, or a particle, whose two points are one.

@@ -152,11 +152,12 @@ Json mesh_json(const ReportMesh& of) {
              {"owner", pack_each(geometry.faces, [](const ReportFace& face) { return face.owner; })},
              {"claims", pack_each(geometry.faces, [](const ReportFace& face) { return face.claims; })}};
   const auto dies = [](const ReportFace& face) {
-    return face.shown_from > 0 || face.hidden_from < 0xffffffffu;
+    return face.shown_from > 0 || face.hidden_from.has_value();
   };
   if (std::ranges::any_of(geometry.faces, dies)) {
     faces["shown_from"] = pack_each(geometry.faces, [](const ReportFace& face) { return face.shown_from; });
-    faces["hidden_from"] = pack_each(geometry.faces, [](const ReportFace& face) { return face.hidden_from; });
+    faces["hidden_from"] =
+        pack_each(geometry.faces, [](const ReportFace& face) { return *face.hidden_from; });
   }
   return {{"path", of.mesh.path()},
           {"title", of.mesh.title()},

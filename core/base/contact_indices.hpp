@@ -11,6 +11,8 @@ namespace contactsim {
 using PairIndex = Index<struct SurfacePairKind>;
 /// Position of a contact surface in ContactSurfaces::surfaces.
 using SurfaceIndex = Index<struct ContactSurfaceKind>;
+/// Position of a node among those of contact, see ContactMesh::nodes().
+using ContactNodeIndex = Index<struct ContactNodeKind>;
 /// Position of a face in ContactMesh::faces.
 using FaceIndex = Index<struct ContactFaceKind>;
 /// Position of a node of a surface in ContactMesh::surface_nodes, its row.

@@ -7,6 +7,8 @@
 #include <type_traits>
 #include <vector>
 
+#include "core/base/index.hpp"
+
 namespace contactsim {
 
 /// The numbers of one struct on their way to a row of doubles or back, so that its members are listed once:
@@ -34,6 +36,10 @@ class RowNumbers {
     }
     number = static_cast<T>(from_.front());
     from_ = from_.subspan(1);
+  }
+  template <class Kind>
+  void pass(Index<Kind>& position) {
+    pass(position.value);
   }
   template <class Derived>
   void pass(Eigen::PlainObjectBase<Derived>& numbers) {

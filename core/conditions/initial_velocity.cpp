@@ -10,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/base/optional_index.hpp"
 #include "core/conditions/condition_function.hpp"
 #include "core/conditions/direction.hpp"
 #include "core/conditions/entity_nodes.hpp"
@@ -19,8 +20,6 @@
 namespace contactsim {
 
 namespace {
-
-constexpr std::uint32_t nobody = ~0u;
 
 /// The velocity that one block gives a node; only some components may be meant.
 struct GivenVelocity {
@@ -44,7 +43,7 @@ class VelocitySetter {
       : scope_(scope),
         velocity_(velocity),
         angular_velocity_(angular_velocity),
-        given_by_(3 * scope.mesh.n_nodes(), nobody) {}
+        given_by_(3 * scope.mesh.n_nodes()) {}
 
   void set(std::uint32_t block);
 
@@ -53,7 +52,7 @@ class VelocitySetter {
   struct Overruled {
     std::size_t n_nodes = 0;
     NodeIndex first_node;
-    std::uint32_t first_block = nobody;
+    OptionalIndex<std::uint32_t> first_block;
   };
 
   std::optional<ConditionFunction> find_value(const InitialVelocity& block,
@@ -63,9 +62,10 @@ class VelocitySetter {
 
   const ConditionScope& scope_;
   Eigen::Matrix3Xd& velocity_;
-  Eigen::Matrix3Xd* angular_velocity_;   ///< null: nodes do not turn
-  std::vector<std::uint32_t> given_by_;  ///< [n_nodes x 3] position of the last block that set it
-  Overruled overruled_;                  ///< by the block that is carried out
+  Eigen::Matrix3Xd* angular_velocity_;  ///< null: nodes do not turn
+  std::vector<OptionalIndex<std::uint32_t>>
+      given_by_;         ///< [n_nodes x 3] position of the last block that set it
+  Overruled overruled_;  ///< by the block that is carried out
 };
 
 std::optional<ConditionFunction> VelocitySetter::find_value(const InitialVelocity& block,
@@ -79,16 +79,16 @@ std::optional<ConditionFunction> VelocitySetter::find_value(const InitialVelocit
 bool VelocitySetter::set_node(std::uint32_t block, NodeIndex node, const GivenVelocity& given) {
   const bool is_whole = given.is_set[0] && given.is_set[1] && given.is_set[2];
   if (angular_velocity_ != nullptr && is_whole) angular_velocity_->col(node.value) = given.turning;
-  std::uint32_t changed = nobody;
+  OptionalIndex<std::uint32_t> changed;
   for (std::size_t c = 0; c < 3; ++c) {
     if (!given.is_set[c]) continue;
     double& value = velocity_(static_cast<Eigen::Index>(c), node.value);
-    std::uint32_t& giver = given_by_[3 * node.value + c];
-    if (giver != nobody && value != given.velocity(static_cast<Eigen::Index>(c))) changed = giver;
+    OptionalIndex<std::uint32_t>& giver = given_by_[3 * node.value + c];
+    if (giver && value != given.velocity(static_cast<Eigen::Index>(c))) changed = giver;
     value = given.velocity(static_cast<Eigen::Index>(c));
     giver = block;
   }
-  if (changed == nobody) return given.velocity.allFinite();
+  if (!changed) return given.velocity.allFinite();
   if (overruled_.n_nodes++ == 0) {
     overruled_.first_node = node;
     overruled_.first_block = changed;
@@ -99,7 +99,7 @@ bool VelocitySetter::set_node(std::uint32_t block, NodeIndex node, const GivenVe
 void VelocitySetter::warn(const ConditionLabel& label, const Overruled& overruled) const {
   if (overruled.n_nodes == 0) return;
   const ConditionLabel other{label.what,
-                             scope_.region.initial_velocities[overruled.first_block].name.location};
+                             scope_.region.initial_velocities[*overruled.first_block].name.location};
   const std::string more =
       overruled.n_nodes > 1 ? fmt::format(" and {} more", overruled.n_nodes - 1) : std::string();
   scope_.diagnostics.add_warning(

@@ -2,8 +2,8 @@
 #include "core/elements/model_block.hpp"
 
 #include <algorithm>
-#include <limits>
 
+#include "core/base/optional_index.hpp"
 #include "core/elements/element_table.hpp"
 
 namespace contactsim {
@@ -16,39 +16,36 @@ static_assert(ModelBlock::batches_per_chunk * n_lanes * 10 <= std::numeric_limit
 /// Numbers the nodes of a block chunk by chunk, in the order in which its elements name them first.
 class ChunkNumbering {
  public:
-  ChunkNumbering(const Mesh& mesh, const ElementBlock& source)
-      : source_(source), number_(mesh.n_nodes(), none) {}
+  ChunkNumbering(const Mesh& mesh, const ElementBlock& source) : source_(source), number_(mesh.n_nodes()) {}
 
   void add_chunk(std::size_t first_batch, std::size_t n_batches, ModelBlock& block) {
     const std::size_t first_node = block.chunk_nodes.size();
     for (std::size_t batch = first_batch; batch < first_batch + n_batches; ++batch)
       add_batch(batch, first_node, block);
     const BatchChunk chunk{first_batch, n_batches, first_node, block.chunk_nodes.size() - first_node};
-    for (const std::uint32_t node : block.nodes_of(chunk)) number_[node] = none;
+    for (const std::uint32_t node : block.nodes_of(chunk)) number_[node] = std::nullopt;
     block.chunks.push_back(chunk);
   }
 
  private:
-  static constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
-
   void add_batch(std::size_t batch, std::size_t first_node, ModelBlock& block) {
     for (int corner = 0; corner < source_.nodes_per_element; ++corner) {
       for (std::size_t lane = 0; lane < n_lanes; ++lane) {
         const std::size_t element = std::min<std::size_t>(batch * n_lanes + lane, source_.n_elements - 1);
         const NodeIndex node =
             source_.element_nodes(static_cast<std::uint32_t>(element))[static_cast<std::size_t>(corner)];
-        std::uint32_t& number = number_[node.value];
-        if (number == none) {
+        OptionalIndex<std::uint32_t>& number = number_[node.value];
+        if (!number) {
           number = static_cast<std::uint32_t>(block.chunk_nodes.size() - first_node);
           block.chunk_nodes.push_back(node.value);
         }
-        block.nodes.push_back(static_cast<ChunkNode>(number));
+        block.nodes.push_back(static_cast<ChunkNode>(*number));
       }
     }
   }
 
   const ElementBlock& source_;
-  std::vector<std::uint32_t> number_;  ///< [n_nodes] in the chunk at hand
+  std::vector<OptionalIndex<std::uint32_t>> number_;  ///< [n_nodes] in the chunk at hand
 };
 
 }  // namespace

@@ -13,9 +13,9 @@ namespace contactsim {
 namespace {
 
 constexpr std::size_t max_corners = 8;
-constexpr std::uint32_t no_node = UINT32_MAX;
+constexpr std::uint32_t behind_all_nodes = UINT32_MAX;
 
-/// The corners of a solid or shell, ascending, the rest no_node.
+/// The corners of a solid or shell, ascending, then behind_all_nodes.
 struct SortedCorners {
   Family family = Family::solid;
   std::array<std::uint32_t, max_corners> nodes{};
@@ -32,7 +32,7 @@ SortedCorners corners_of(const ElementBlock& block, std::uint32_t element) {
   const Topology& shape = topology(block.shape);
   const auto nodes = block.element_nodes(element).first(shape.n_corners);
   SortedCorners corners{shape.family, {}};
-  corners.nodes.fill(no_node);
+  corners.nodes.fill(behind_all_nodes);
   std::transform(nodes.begin(), nodes.end(), corners.nodes.begin(),
                  [](NodeIndex node) { return node.value; });
   std::sort(corners.nodes.begin(), corners.nodes.begin() + static_cast<std::ptrdiff_t>(nodes.size()));

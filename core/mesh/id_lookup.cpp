@@ -3,14 +3,11 @@
 
 #include <algorithm>
 #include <functional>
-#include <limits>
 #include <numeric>
 
 namespace contactsim {
 
 namespace {
-
-constexpr std::uint32_t no_position = std::numeric_limits<std::uint32_t>::max();
 
 // A table wins over sorting as long as it stays in the size of the ids themselves.
 constexpr std::uint64_t widest_table(std::size_t n_ids) { return 2 * static_cast<std::uint64_t>(n_ids) + 64; }
@@ -31,10 +28,10 @@ IdLookup::IdLookup(std::span<const std::int64_t> ids) {
 }
 
 void IdLookup::fill_table(std::span<const std::int64_t> ids, std::int64_t largest) {
-  table_.assign(static_cast<std::size_t>(largest - smallest_) + 1, no_position);
+  table_.assign(static_cast<std::size_t>(largest - smallest_) + 1, std::nullopt);
   for (std::size_t i = 0; i < ids.size(); ++i) {
-    std::uint32_t& position = table_[static_cast<std::size_t>(ids[i] - smallest_)];
-    if (position == no_position) {
+    OptionalIndex<std::uint32_t>& position = table_[static_cast<std::size_t>(ids[i] - smallest_)];
+    if (!position) {
       position = static_cast<std::uint32_t>(i);
     } else if (!first_repeat_) {
       first_repeat_ = static_cast<std::uint32_t>(i);
@@ -49,15 +46,15 @@ void IdLookup::sort_order(std::span<const std::int64_t> ids) {
                    [&](std::uint32_t a, std::uint32_t b) { return ids[a] < ids[b]; });
   for (std::size_t i = 1; i < order_.size(); ++i) {
     if (ids[order_[i]] != ids[order_[i - 1]]) continue;
-    first_repeat_ = std::min(order_[i], first_repeat_.value_or(no_position));
+    first_repeat_ = std::min(order_[i], first_repeat_.value_or(order_[i]));
   }
 }
 
 std::optional<std::uint32_t> IdLookup::find(std::span<const std::int64_t> ids, std::int64_t id) const {
   if (!table_.empty()) {
     const std::uint64_t slot = static_cast<std::uint64_t>(id) - static_cast<std::uint64_t>(smallest_);
-    if (id < smallest_ || slot >= table_.size() || table_[slot] == no_position) return std::nullopt;
-    return table_[slot];
+    if (id < smallest_ || slot >= table_.size() || !table_[slot]) return std::nullopt;
+    return *table_[slot];
   }
   if (!order_.empty()) {
     const auto found =

@@ -6,6 +6,8 @@
 #include <span>
 #include <vector>
 
+#include "core/base/optional_index.hpp"
+
 namespace contactsim {
 
 /// Finds the position of a user id. Costs no memory when the ids increase, as those of most files do; else a
@@ -26,9 +28,9 @@ class IdLookup {
   void fill_table(std::span<const std::int64_t> ids, std::int64_t largest);
   void sort_order(std::span<const std::int64_t> ids);
 
-  std::int64_t smallest_ = 0;         ///< id of table_[0]
-  std::vector<std::uint32_t> table_;  ///< position by id - smallest_; `no_position` where there is none
-  std::vector<std::uint32_t> order_;  ///< positions by increasing id
+  std::int64_t smallest_ = 0;                        ///< id of table_[0]
+  std::vector<OptionalIndex<std::uint32_t>> table_;  ///< position by id - smallest_
+  std::vector<std::uint32_t> order_;                 ///< positions by increasing id
   std::optional<std::uint32_t> first_repeat_;
 };
 

@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/base/optional_index.hpp"
 #include "core/base/threads.hpp"
 #include "core/mesh/element_faces.hpp"
 
@@ -19,8 +20,6 @@ using namespace element_faces;
 constexpr std::uint32_t nodes_per_range = 1u << 15;
 
 constexpr std::uint32_t range_of(std::uint32_t node) { return node / nodes_per_range; }
-
-constexpr std::uint32_t no_element = UINT32_MAX;
 
 /// For every range of nodes the present elements that have a face whose smallest node lies in it.
 class RangeElements {
@@ -76,7 +75,7 @@ void RangeElements::for_each_pair(Visit&& visit) {
 #pragma omp parallel for schedule(static, 1) num_threads(n_chunks)
   for (int chunk = 0; chunk < n_chunks; ++chunk) {
     auto& places = counts_[static_cast<std::size_t>(chunk)];
-    std::vector<std::uint32_t> last(places.size(), no_element);
+    std::vector<OptionalIndex<std::uint32_t>> last(places.size());
     visit_faces(mesh_, begin_of(chunk), begin_of(chunk + 1), [&](ElementSide side, const Corners& corners) {
       const std::uint32_t element = side.element().value, range = range_of(smallest(corners));
       if (!present_[element] || last[range] == element) return;

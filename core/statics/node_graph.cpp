@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "core/base/optional_index.hpp"
+
 namespace contactsim {
 
 namespace {
@@ -53,11 +55,11 @@ NodeGraph::NodeGraph(std::uint32_t n_nodes, const Mesh& mesh, std::span<const Mo
 }
 
 NodeColours colour_nodes(const NodeGraph& graph, ColourDistance distance) {
-  constexpr std::uint32_t none = UINT32_MAX;
-  NodeColours colours{std::vector<std::uint32_t>(graph.n_nodes(), none), 0};
-  std::vector<std::uint32_t> taken_by;  // [n_colours] the last node that may not have the colour
+  std::vector<OptionalIndex<std::uint32_t>> colours(graph.n_nodes());
+  std::vector<OptionalIndex<std::uint32_t>>
+      taken_by;  // [n_colours] the last node that may not have the colour
   const auto take = [&](std::uint32_t other, std::uint32_t node) {
-    if (colours.colour[other] != none) taken_by[colours.colour[other]] = node;
+    if (colours[other]) taken_by[*colours[other]] = node;
   };
   for (std::uint32_t node = 0; node < graph.n_nodes(); ++node) {
     if (graph.neighbours(node).empty()) continue;
@@ -66,14 +68,15 @@ NodeColours colour_nodes(const NodeGraph& graph, ColourDistance distance) {
       if (distance == ColourDistance::one_element) continue;
       for (const std::uint32_t next : graph.neighbours(other)) take(next, node);
     }
-    const auto left =
-        std::find_if(taken_by.begin(), taken_by.end(), [node](std::uint32_t by) { return by != node; });
-    colours.colour[node] = static_cast<std::uint32_t>(left - taken_by.begin());
-    if (left == taken_by.end()) taken_by.push_back(none);
+    const auto left = std::find_if(taken_by.begin(), taken_by.end(),
+                                   [node](OptionalIndex<std::uint32_t> by) { return by != node; });
+    colours[node] = static_cast<std::uint32_t>(left - taken_by.begin());
+    if (left == taken_by.end()) taken_by.emplace_back();
   }
-  colours.n_colours = static_cast<std::uint32_t>(taken_by.size());
-  for (std::uint32_t& colour : colours.colour) colour = std::min(colour, colours.n_colours);
-  return colours;
+  NodeColours made{{}, static_cast<std::uint32_t>(taken_by.size())};
+  for (const OptionalIndex<std::uint32_t> colour : colours)
+    made.colour.push_back(colour ? *colour : made.n_colours);
+  return made;
 }
 
 }  // namespace contactsim

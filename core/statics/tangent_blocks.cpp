@@ -7,6 +7,8 @@
 #include <tuple>
 #include <utility>
 
+#include "core/base/optional_index.hpp"
+
 namespace contactsim {
 
 namespace {
@@ -231,7 +233,7 @@ std::vector<NodeBlock> blocks_of(const std::vector<ContactSpring>& springs) {
 void TangentBlocks::join(std::vector<NodeBlock> blocks) {
   blocks.insert(blocks.end(), of_bodies_.begin(), of_bodies_.end());
   // Of displacements and rotations of each node.
-  std::vector<std::uint32_t> held_place(2 * std::size_t{graph_.n_nodes()}, UINT32_MAX);
+  std::vector<OptionalIndex<std::uint32_t>> held_place(2 * std::size_t{graph_.n_nodes()});
   std::vector<Eigen::Matrix3d> free;
   problem_.visit_held([&](std::uint32_t node, Eigen::Index first, const Eigen::Matrix3d& held) {
     held_place[2 * std::size_t{node} + (first > 0 ? 1 : 0)] = static_cast<std::uint32_t>(free.size());
@@ -240,10 +242,12 @@ void TangentBlocks::join(std::vector<NodeBlock> blocks) {
   joined_.clear();
   for (NodeBlock block : blocks) {
     if (graph_.neighbours(block.row).empty() || graph_.neighbours(block.column).empty()) continue;
-    const std::uint32_t row = held_place[2 * std::size_t{block.row} + (block.row_turns ? 1 : 0)];
-    const std::uint32_t column = held_place[2 * std::size_t{block.column} + (block.column_turns ? 1 : 0)];
-    if (row != UINT32_MAX) block.stiffness = (free[row] * block.stiffness).eval();
-    if (column != UINT32_MAX) block.stiffness = (block.stiffness * free[column]).eval();
+    const OptionalIndex<std::uint32_t> row =
+        held_place[2 * std::size_t{block.row} + (block.row_turns ? 1 : 0)];
+    const OptionalIndex<std::uint32_t> column =
+        held_place[2 * std::size_t{block.column} + (block.column_turns ? 1 : 0)];
+    if (row) block.stiffness = (free[*row] * block.stiffness).eval();
+    if (column) block.stiffness = (block.stiffness * free[*column]).eval();
     joined_.push_back(block);
   }
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "core/base/optional_index.hpp"
 #include "core/statics/multigrid/block_matrix.hpp"
 
 namespace contactsim {
@@ -31,8 +32,8 @@ std::vector<float> find_strengths(const BlockMatrix<N, N>& matrix, double thresh
 
 /// Groups of nodes that hang together strongly: each is one node of the next coarser level.
 struct Aggregates {
-  static constexpr std::uint32_t none = UINT32_MAX;
-  std::vector<std::uint32_t> of_node;  ///< [n_nodes], none of those that nothing joins to others
+  std::vector<OptionalIndex<std::uint32_t>>
+      of_node;  ///< [n_nodes], none of those that nothing joins to others
   std::uint32_t n = 0;
 };
 

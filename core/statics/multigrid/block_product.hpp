@@ -32,7 +32,7 @@ class RowPattern {
   }
 
  private:
-  static constexpr std::size_t none = SIZE_MAX;
+  static constexpr std::size_t none = SIZE_MAX;  // one word each: rows are made in the innermost loops
   std::vector<std::size_t> place_;
   std::vector<std::uint32_t> columns_;
 };

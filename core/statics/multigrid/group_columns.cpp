@@ -29,14 +29,14 @@ Eigen::Matrix<double, 6, 6> orthonormalise(Modes& modes) {
 GroupNodes list_nodes(const Aggregates& groups) {
   GroupNodes list;
   list.first.assign(groups.n + std::size_t{1}, 0);
-  for (const std::uint32_t group : groups.of_node) {
-    if (group != Aggregates::none) ++list.first[group + std::size_t{1}];
+  for (const OptionalIndex<std::uint32_t> group : groups.of_node) {
+    if (group) ++list.first[*group + std::size_t{1}];
   }
   for (std::size_t i = 1; i < list.first.size(); ++i) list.first[i] += list.first[i - 1];
   list.nodes.resize(list.first.back());
   std::vector<std::size_t> next(list.first.begin(), list.first.end() - 1);
   for (std::uint32_t node = 0; node < groups.of_node.size(); ++node) {
-    if (groups.of_node[node] != Aggregates::none) list.nodes[next[groups.of_node[node]]++] = node;
+    if (groups.of_node[node]) list.nodes[next[*groups.of_node[node]]++] = node;
   }
   return list;
 }

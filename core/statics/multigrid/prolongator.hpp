@@ -17,12 +17,13 @@ BlockMatrix<N, 6> smooth_columns(const BlockMatrix<N, N>& matrix, const Chebyshe
   const double damping = 4.0 / 3.0 / smoother.largest();
   const Eigen::Matrix<double, N, N> one = Eigen::Matrix<double, N, N>::Identity();
   return sum_products<N, 6>(matrix.n_rows(), groups.n, [&](std::uint32_t row, const auto& take) {
-    if (groups.of_node[row] != Aggregates::none) take(groups.of_node[row], one, columns.of_node[row]);
+    if (groups.of_node[row]) take(*groups.of_node[row], one, columns.of_node[row]);
     for (std::size_t k = matrix.first[row]; k < matrix.first[row + std::size_t{1}]; ++k) {
-      const std::uint32_t other = matrix.columns[k], group = groups.of_node[other];
-      if (group == Aggregates::none) continue;
+      const std::uint32_t other = matrix.columns[k];
+      const OptionalIndex<std::uint32_t> group = groups.of_node[other];
+      if (!group) continue;
       const Eigen::Matrix<double, N, N> part = -damping * smoother.inverse(row) * matrix.block(k);
-      take(group, part, columns.of_node[other]);
+      take(*group, part, columns.of_node[other]);
     }
   });
 }

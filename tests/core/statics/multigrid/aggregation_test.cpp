@@ -33,13 +33,13 @@ BlockMatrix<3, 3> joined(std::uint32_t n_nodes, const std::vector<Joint>& joints
   return matrix;
 }
 
-using Groups = std::vector<std::uint32_t>;
+using Groups = std::vector<OptionalIndex<std::uint32_t>>;
 
 Groups groups_of(const BlockMatrix<3, 3>& matrix, double threshold) {
   return aggregate(matrix.first, matrix.columns, find_strengths(matrix, threshold)).of_node;
 }
 
-constexpr std::uint32_t none = Aggregates::none;
+constexpr std::nullopt_t none = std::nullopt;
 
 }  // namespace
 
