@@ -34,15 +34,15 @@ void ContactAssembler::remap(const ContactRemap& remap) {
   transfer(remap.nodes, remap.n_nodes_after, NodeVector(NodeVector::Zero()), nodes_);
   transfer(remap.nodes, remap.n_nodes_after, NodeFriction{}, friction_);
   transfer(remap.nodes, remap.n_nodes_after, NodeVector(NodeVector::Zero()), slips_);
-  for (OptionalIndex<std::uint32_t>& partner : partners_) {
+  for (OptionalIndex<ContactNodeIndex>& partner : partners_) {
     if (partner) partner = remap.nodes[*partner];
   }
-  transfer(remap.nodes, remap.n_nodes_after, OptionalIndex<std::uint32_t>(), partners_);
+  transfer(remap.nodes, remap.n_nodes_after, OptionalIndex<ContactNodeIndex>(), partners_);
   nodes_.resize(remap.n_nodes_after, NodeVector::Zero());
   moments_.assign(has_moments_ ? remap.n_nodes_after : 0, Eigen::Vector3d::Zero());
   friction_.resize(has_friction_ ? remap.n_nodes_after : 0);
   slips_.resize(has_friction_ ? remap.n_nodes_after : 0, NodeVector::Zero());
-  met_.assign(has_friction_ ? remap.n_nodes_after : 0, OptionalIndex<std::uint32_t>());
+  met_.assign(has_friction_ ? remap.n_nodes_after : 0, OptionalIndex<ContactNodeIndex>());
   partners_.resize(has_friction_ ? remap.n_nodes_after : 0);
 }
 
@@ -51,7 +51,7 @@ void ContactAssembler::begin_step() {
   std::fill(nodes_.begin(), nodes_.end(), NodeVector::Zero());
   std::fill(moments_.begin(), moments_.end(), Eigen::Vector3d::Zero());
   std::fill(slips_.begin(), slips_.end(), NodeVector::Zero());
-  std::fill(met_.begin(), met_.end(), OptionalIndex<std::uint32_t>());
+  std::fill(met_.begin(), met_.end(), OptionalIndex<ContactNodeIndex>());
   std::fill(pairs_.begin(), pairs_.end(), PairStep{});
 }
 
@@ -69,7 +69,7 @@ void ContactAssembler::add_forces(const ContactPoint& point) {
   add_moment(point.second, point.second.radius * point.normal, -force);
 }
 
-void ContactAssembler::add_node(std::uint32_t node, const Eigen::Vector3d& force,
+void ContactAssembler::add_node(ContactNodeIndex node, const Eigen::Vector3d& force,
                                 const Eigen::Vector3d& moment) {
   nodes_[node].head<3>() += force;
   if (has_moments_) moments_[node] += moment;
@@ -147,8 +147,8 @@ void ContactAssembler::add(const InterfaceConstraint& constraint, const CornerFo
 namespace {
 
 /// The turn of the surface that a node's slip follows: its own, or without faces that of what it met last.
-Eigen::Matrix3d turn_of(const ContactKinematics& now, const SurfaceTurns& turns, std::uint32_t node,
-                        OptionalIndex<std::uint32_t> partner) {
+Eigen::Matrix3d turn_of(const ContactKinematics& now, const SurfaceTurns& turns, ContactNodeIndex node,
+                        OptionalIndex<ContactNodeIndex> partner) {
   const bool has_own = turns.has_faces(node) || !partner;
   return turns.turn(now, has_own ? node : *partner);
 }
@@ -156,14 +156,14 @@ Eigen::Matrix3d turn_of(const ContactKinematics& now, const SurfaceTurns& turns,
 }  // namespace
 
 Eigen::Vector3d ContactAssembler::slip_now(const ContactKinematics& now, const SurfaceTurns& turns,
-                                           std::uint32_t node) const {
+                                           ContactNodeIndex node) const {
   const Eigen::Vector3d& slip = friction_[node].slip;
   if (slip.isZero(0.0)) return slip;
   return turn_of(now, turns, node, partners_[node]) * slip;
 }
 
 /// A node without faces that has come to another part of a surface turns with that from now on.
-void ContactAssembler::follow_partner(std::uint32_t node, const SurfaceTurns& turns) {
+void ContactAssembler::follow_partner(ContactNodeIndex node, const SurfaceTurns& turns) {
   if (!met_[node] || met_[node] == partners_[node] || turns.has_faces(node)) return;
   const Eigen::Vector3d now = slip_now(*kinematics_, turns, node);
   partners_[node] = met_[node];
@@ -172,16 +172,16 @@ void ContactAssembler::follow_partner(std::uint32_t node, const SurfaceTurns& tu
 
 void ContactAssembler::end_step(const SurfaceTurns& turns) {
   parallel_for(friction_.size(), threads_for(friction_.size()), [&](std::size_t i) {
-    NodeFriction& node = friction_[i];
-    const auto index = static_cast<std::uint32_t>(i);
-    const double area = slips_[i][3];
-    node.last_slip = area > 0.0 ? Eigen::Vector3d(slips_[i].head<3>() / area) : Eigen::Vector3d::Zero();
+    const ContactNodeIndex index{static_cast<std::uint32_t>(i)};
+    NodeFriction& node = friction_[index];
+    const double area = slips_[index][3];
+    node.last_slip = area > 0.0 ? Eigen::Vector3d(slips_[index].head<3>() / area) : Eigen::Vector3d::Zero();
     if (kinematics_ != nullptr) follow_partner(index, turns);
     if (node.last_slip.isZero(0.0)) return;
     node.slip_length += node.last_slip.norm();
     node.slip += kinematics_ == nullptr
                      ? node.last_slip
-                     : turn_of(*kinematics_, turns, index, partners_[i]).transpose() * node.last_slip;
+                     : turn_of(*kinematics_, turns, index, partners_[index]).transpose() * node.last_slip;
   });
 }
 

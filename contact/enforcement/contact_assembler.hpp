@@ -63,7 +63,7 @@ class ContactAssembler {
   /// Adds the forces of a point at nodes, and to no pair.
   void add_forces(const ContactPoint& point);
   /// Adds a force and a moment about it at a node, and to no pair.
-  void add_node(std::uint32_t node, const Eigen::Vector3d& force, const Eigen::Vector3d& moment);
+  void add_node(ContactNodeIndex node, const Eigen::Vector3d& force, const Eigen::Vector3d& moment);
   /// Takes note that the overlap at a contact point of the step comes in by a ramp.
   ///   depth  of all of it [length]
   void note_ramp(const ContactPoint& point, double depth) {
@@ -78,14 +78,15 @@ class ContactAssembler {
   void end_step(const SurfaceTurns& turns = {});
 
   /// [n_contact_nodes] x y z of the force [force], and the stiffness that moves with the node [force/length]
-  std::span<const NodeVector> nodes() const { return nodes_; }
+  IndexedSpan<ContactNodeIndex, const NodeVector> nodes() const { return nodes_; }
   /// [n_contact_nodes] of the forces about the nodes, empty without moments [force length]
-  std::span<const Eigen::Vector3d> moments() const { return moments_; }
+  IndexedSpan<ContactNodeIndex, const Eigen::Vector3d> moments() const { return moments_; }
   IndexedSpan<PairIndex, const PairStep> pairs() const { return pairs_; }
   /// [n_contact_nodes], empty without friction
-  std::span<const NodeFriction> friction() const { return friction_; }
+  IndexedSpan<ContactNodeIndex, const NodeFriction> friction() const { return friction_; }
   /// The slip of a node as its surface lies now [length].
-  Eigen::Vector3d slip_now(const ContactKinematics& now, const SurfaceTurns& turns, std::uint32_t node) const;
+  Eigen::Vector3d slip_now(const ContactKinematics& now, const SurfaceTurns& turns,
+                           ContactNodeIndex node) const;
   /// The work that forces have taken from the bodies since the start [energy]
   IndexedSpan<PairIndex, const double> taken() const { return work_.taken(); }
   const PairWork& work() const { return work_; }
@@ -97,18 +98,19 @@ class ContactAssembler {
 
  private:
   void add_moment(const ContactPointSide& side, const Eigen::Vector3d& arm, const Eigen::Vector3d& force);
-  void follow_partner(std::uint32_t node, const SurfaceTurns& turns);
+  void follow_partner(ContactNodeIndex node, const SurfaceTurns& turns);
   void add_slip(const ContactPointSide& side, const ContactPointSide& other, const Eigen::Vector3d& slip,
                 const ContactPoint& point);
 
   bool has_friction_, has_moments_;
-  std::vector<NodeVector> nodes_;
-  std::vector<Eigen::Vector3d> moments_;
+  IndexedVector<ContactNodeIndex, NodeVector> nodes_;
+  IndexedVector<ContactNodeIndex, Eigen::Vector3d> moments_;
   IndexedVector<PairIndex, PairStep> pairs_;
-  std::vector<NodeFriction> friction_;
-  std::vector<NodeVector> slips_;                  // of the step, times area, and area
-  std::vector<OptionalIndex<std::uint32_t>> met_;  // of the step: a node of the other side that a node met
-  std::vector<OptionalIndex<std::uint32_t>>
+  IndexedVector<ContactNodeIndex, NodeFriction> friction_;
+  IndexedVector<ContactNodeIndex, NodeVector> slips_;  // of the step, times area, and area
+  IndexedVector<ContactNodeIndex, OptionalIndex<ContactNodeIndex>>
+      met_;  // of the step: a node of the other side that a node met
+  IndexedVector<ContactNodeIndex, OptionalIndex<ContactNodeIndex>>
       partners_;  // the last of them, whose surface turns slips of nodes without faces
   double dissipated_ = 0.0, damped_ = 0.0;
   const ContactKinematics* kinematics_ = nullptr;  // null where work is not counted

@@ -140,14 +140,13 @@ void ContactForce::add_penalty_points(const ContactStepContext& context) {
 void ContactForce::write_forces(const ContactAssembler& assembler, OffsetMoments& moments,
                                 Eigen::Matrix3Xd& forces) {
   const auto nodes = assembler.nodes();
-  const std::size_t n_mesh_points = contact_mesh_.n_mesh_points();
+  const auto n_mesh_points = static_cast<std::uint32_t>(contact_mesh_.n_mesh_points());
+  const IndexRange<ContactNodeIndex> of_lofts({n_mesh_points}, *contact_mesh_.nodes().end());
   // Several points of lofts may hang on one node of the mesh.
-  for (std::size_t i = n_mesh_points; i < nodes.size(); ++i)
-    forces.col(contact_mesh_.mesh_nodes[i]).setZero();
+  for (const ContactNodeIndex i : of_lofts) forces.col(contact_mesh_.mesh_nodes[i]).setZero();
   parallel_for(n_mesh_points, threads_for(n_mesh_points),
-               [&](std::size_t i) { forces.col(contact_mesh_.mesh_nodes[i]) = nodes[i].head<3>(); });
-  for (std::size_t i = n_mesh_points; i < nodes.size(); ++i)
-    forces.col(contact_mesh_.mesh_nodes[i]) += nodes[i].head<3>();
+               [&](std::uint32_t i) { forces.col(contact_mesh_.mesh_nodes[{i}]) = nodes[{i}].head<3>(); });
+  for (const ContactNodeIndex i : of_lofts) forces.col(contact_mesh_.mesh_nodes[i]) += nodes[i].head<3>();
   moments.add_forces(forces);
 }
 
@@ -222,8 +221,9 @@ void ContactForce::foresee(const State& state) {
   const bool turns = state.rotations.exist();
   free_velocity_.resize(3, state.velocity.cols());
   if (turns) free_turning_.resize(3, state.velocity.cols());
-  parallel_for(contact_mesh_.n_nodes(), threads_for(contact_mesh_.n_mesh_points()), [&](std::size_t i) {
-    const auto node = static_cast<Eigen::Index>(contact_mesh_.mesh_nodes[i]);
+  const auto n_nodes = static_cast<std::uint32_t>(contact_mesh_.n_nodes());
+  parallel_for(n_nodes, threads_for(contact_mesh_.n_mesh_points()), [&](std::uint32_t i) {
+    const auto node = static_cast<Eigen::Index>(contact_mesh_.mesh_nodes[{i}]);
     free_velocity_.col(node) = state.velocity.col(node) + half_steps * state.acceleration.col(node);
     if (!turns) return;
     free_turning_.col(node) =
@@ -289,7 +289,7 @@ std::optional<ForceReport> ContactForce::balance(const State& state, Eigen::Matr
   return report;
 }
 
-std::vector<double> ContactForce::node_gaps(const Motion& motion) const {
+IndexedVector<ContactNodeIndex, double> ContactForce::node_gaps(const Motion& motion) const {
   ContactKinematics now = kinematics_;
   now.bound_all();
   return find_node_gaps(now, *setup_.model.mesh, rules_, setup_.definition.dash, motion);

@@ -96,9 +96,9 @@ class ContactForce final : public ForceTerm, public StaticContact {
   IndexedSpan<PairIndex, const PairHistory> histories() const { return histories_.all(); }
   const RecoveryEnergy& recovery_energy() const { return recovery_energy_; }
   IndexedSpan<PairIndex, const PairStep> pair_steps() const { return assembler_.pairs(); }
-  std::span<const NodeFriction> node_friction() const { return assembler_.friction(); }
+  IndexedSpan<ContactNodeIndex, const NodeFriction> node_friction() const { return assembler_.friction(); }
   /// What a contact node has slipped as its surface lies in the motion seen last [length].
-  Eigen::Vector3d node_slip(std::uint32_t node) const {
+  Eigen::Vector3d node_slip(ContactNodeIndex node) const {
     return assembler_.slip_now(kinematics_, turns_, node);
   }
   const ContactStep& step_share() const { return step_share_; }
@@ -130,9 +130,9 @@ class ContactForce final : public ForceTerm, public StaticContact {
   }
   /// How far contact nodes are from what they meet: find_node_gaps().
   ///   motion  of now
-  std::vector<double> node_gaps(const Motion& motion) const;
+  IndexedVector<ContactNodeIndex, double> node_gaps(const Motion& motion) const;
   /// Where a contact node is, of the motion seen last [length].
-  Eigen::Vector3d position(std::uint32_t node) const { return kinematics_.x(node); }
+  Eigen::Vector3d position(ContactNodeIndex node) const { return kinematics_.x(node); }
 
  private:
   ContactMesh make_faces(std::span<const ErodedNode> eroded_nodes) const;

@@ -189,8 +189,9 @@ MultiplierChange ContactForce::update_multipliers(double tolerance) {
 }
 
 Stabilization ContactForce::stabilization() const {
-  Stabilization now{stabilization_.largest_share(), stabilization_.nodes()};
-  for (std::uint32_t& node : now.nodes) node = contact_mesh_.mesh_nodes[node];
+  Stabilization now{stabilization_.largest_share(), {}};
+  for (const ContactNodeIndex node : stabilization_.nodes())
+    now.nodes.push_back(contact_mesh_.mesh_nodes[node]);
   return now;
 }
 

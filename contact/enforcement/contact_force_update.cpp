@@ -50,7 +50,7 @@ bool keep_point(const ContactRemap& remap, ContactPoint& point) {
   point.second_entity = *second;
   for (ContactPointSide* side : {&point.first, &point.second}) {
     if (side == &point.second && is_plane) continue;
-    for (std::uint32_t& node : side->nodes) node = *remap.nodes[node];
+    for (ContactNodeIndex& node : side->nodes) node = *remap.nodes[node];
   }
   return true;
 }

@@ -33,14 +33,14 @@ ContactMobility::ContactMobility(const Model& model) : model_(model) {
     turn_mobilities_.push_back(body.flexible.selfadjointView<Eigen::Lower>().eigenvalues().maxCoeff());
 }
 
-Eigen::Vector3d ContactMobility::arm(const ContactKinematics& kinematics, std::uint32_t node) const {
+Eigen::Vector3d ContactMobility::arm(const ContactKinematics& kinematics, ContactNodeIndex node) const {
   const std::size_t n_mesh_points = kinematics.contact_mesh().n_mesh_points();
-  if (node < n_mesh_points) return Eigen::Vector3d::Zero();
-  return kinematics.offsets().col(static_cast<Eigen::Index>(node - n_mesh_points));
+  if (node.value < n_mesh_points) return Eigen::Vector3d::Zero();
+  return kinematics.offsets().col(static_cast<Eigen::Index>(node.value - n_mesh_points));
 }
 
 /// n P n / m + |a x n|^2 / I for an arm a to the node of the mesh, at most 1 / m + |a|^2 / I.
-double ContactMobility::mobility(const ContactKinematics& kinematics, std::uint32_t node,
+double ContactMobility::mobility(const ContactKinematics& kinematics, ContactNodeIndex node,
                                  const Eigen::Vector3d* normal) const {
   if (is_of_body(kinematics.contact_mesh(), node)) return body_mobility(kinematics, node, normal);
   const NodeIndex mesh_node{kinematics.contact_mesh().mesh_nodes[node]};
@@ -55,10 +55,10 @@ double ContactMobility::mobility(const ContactKinematics& kinematics, std::uint3
 }
 
 /// n P n / M + |r|^2 / I of the least moment of inertia I. Lengths from the centre are those at rest.
-double ContactMobility::body_mobility(const ContactKinematics& kinematics, std::uint32_t node,
+double ContactMobility::body_mobility(const ContactKinematics& kinematics, ContactNodeIndex node,
                                       const Eigen::Vector3d* normal) const {
   const std::uint32_t mesh_node = kinematics.contact_mesh().mesh_nodes[node];
-  const auto index = static_cast<std::uint32_t>(model_.rigid.nodes.body_of[mesh_node]);
+  const std::uint32_t index = *model_.rigid.nodes.body_of[mesh_node];
   const RigidBody& body = model_.rigid.bodies[index];
   const double mobility = free_share(free_.of_body(index), normal) / body.mass;
   if (free_share(free_.of_body_turns(index), nullptr) == 0.0) return mobility;
@@ -67,7 +67,7 @@ double ContactMobility::body_mobility(const ContactKinematics& kinematics, std::
   return mobility + reach * reach * turn_mobilities_[index];
 }
 
-bool ContactMobility::is_held(const ContactKinematics& kinematics, std::uint32_t node,
+bool ContactMobility::is_held(const ContactKinematics& kinematics, ContactNodeIndex node,
                               const Eigen::Vector3d* normal) const {
   constexpr double next_to_nothing = 1e-6;  // of what a free node gives way
   if (is_of_body(kinematics.contact_mesh(), node)) return false;
@@ -76,19 +76,17 @@ bool ContactMobility::is_held(const ContactKinematics& kinematics, std::uint32_t
   return mobility(kinematics, node, normal) * mass < next_to_nothing;
 }
 
-std::size_t ContactMobility::carrier(const ContactMesh& contact_mesh, std::uint32_t node) const {
-  if (!is_of_body(contact_mesh, node)) return contact_mesh.first_alike[node];
-  return contact_mesh.n_nodes() +
-         static_cast<std::size_t>(model_.rigid.nodes.body_of[contact_mesh.mesh_nodes[node]]);
+std::size_t ContactMobility::carrier(const ContactMesh& contact_mesh, ContactNodeIndex node) const {
+  if (!is_of_body(contact_mesh, node)) return contact_mesh.first_alike[node].value;
+  return contact_mesh.n_nodes() + *model_.rigid.nodes.body_of[contact_mesh.mesh_nodes[node]];
 }
 
-std::span<const double> ContactMobility::find_rates(const ContactKinematics& kinematics,
-                                                    std::span<const ContactPoint> points,
-                                                    std::span<const ConstraintForces> held,
-                                                    IndexedSpan<PairIndex, const std::uint8_t> slips) {
+IndexedSpan<ContactNodeIndex, const double> ContactMobility::find_rates(
+    const ContactKinematics& kinematics, std::span<const ContactPoint> points,
+    std::span<const ConstraintForces> held, IndexedSpan<PairIndex, const std::uint8_t> slips) {
   const ContactMesh& contact_mesh = kinematics.contact_mesh();
   carrier_rates_.assign(contact_mesh.n_nodes() + model_.rigid.bodies.size(), 0.0);
-  const auto add = [&](std::uint32_t node, double stiffness, const Eigen::Vector3d* normal) {
+  const auto add = [&](ContactNodeIndex node, double stiffness, const Eigen::Vector3d* normal) {
     if (stiffness > 0.0)
       carrier_rates_[carrier(contact_mesh, node)] += stiffness * mobility(kinematics, node, normal);
   };
@@ -108,12 +106,12 @@ std::span<const double> ContactMobility::find_rates(const ContactKinematics& kin
       add(one.constraint.nodes[k], one.constraint.springs[static_cast<Eigen::Index>(k)], nullptr);
   }
   rates_.resize(contact_mesh.n_nodes());
-  for (std::uint32_t node = 0; node < contact_mesh.n_nodes(); ++node)
+  for (const ContactNodeIndex node : contact_mesh.nodes())
     rates_[node] = carrier_rates_[carrier(contact_mesh, node)];
   return rates_;
 }
 
-bool ContactMobility::moves_alone(const ContactMesh& contact_mesh, std::uint32_t node) const {
+bool ContactMobility::moves_alone(const ContactMesh& contact_mesh, ContactNodeIndex node) const {
   if (is_of_body(contact_mesh, node)) return true;
   if (!contact_mesh.faces_of_node.of(node).empty()) return false;
   const auto row = std::ranges::find(contact_mesh.surface_nodes, node, &SurfaceNode::node);
@@ -123,11 +121,11 @@ bool ContactMobility::moves_alone(const ContactMesh& contact_mesh, std::uint32_t
   return row->is_free || topology(block.shape).family == Family::particle;
 }
 
-Eigen::Vector3d ContactMobility::acceleration(const ContactMesh& contact_mesh, std::uint32_t node) const {
+Eigen::Vector3d ContactMobility::acceleration(const ContactMesh& contact_mesh, ContactNodeIndex node) const {
   if (!moves_alone(contact_mesh, node)) return Eigen::Vector3d::Zero();
   const std::uint32_t mesh_node = contact_mesh.mesh_nodes[node];
   const bool is_body = is_of_body(contact_mesh, node);
-  const auto body = is_body ? static_cast<std::uint32_t>(model_.rigid.nodes.body_of[mesh_node]) : 0;
+  const auto body = is_body ? *model_.rigid.nodes.body_of[mesh_node] : 0;
   const Eigen::Matrix3d* free = is_body ? free_.of_body(body) : free_.of_node(mesh_node);
   const double mass = is_body ? model_.rigid.bodies[body].mass : model_.mass(0, mesh_node);
   const Eigen::Vector3d& force = carrier_forces_[carrier(contact_mesh, node)];
@@ -149,7 +147,7 @@ std::span<const double> ContactMobility::find_accelerations(const ContactKinemat
     if (!point.touches()) continue;
     const Eigen::Vector3d force = point.force_on_first();
     const auto add = [&](double sign) {
-      return [&, sign](std::uint32_t node, double weight) {
+      return [&, sign](ContactNodeIndex node, double weight) {
         carrier_forces_[carrier(contact_mesh, node)] += sign * weight * force;
       };
     };
@@ -158,7 +156,7 @@ std::span<const double> ContactMobility::find_accelerations(const ContactKinemat
   }
   for (std::size_t i = 0; i < points.size(); ++i) {
     const auto add = [&](double sign) {
-      return [&, sign](std::uint32_t node, double weight) {
+      return [&, sign](ContactNodeIndex node, double weight) {
         accelerations_[i] += sign * weight * points[i].normal.dot(acceleration(contact_mesh, node));
       };
     };

@@ -31,14 +31,14 @@ void ContactSprings::add_turning(std::size_t corner, std::uint32_t mesh_node, co
 
 /// Fastens a corner to a contact node.
 ///   beside  from the node to the corner [length]
-void ContactSprings::add_corner(std::size_t corner, std::uint32_t node, const Eigen::Vector3d& beside,
+void ContactSprings::add_corner(std::size_t corner, ContactNodeIndex node, const Eigen::Vector3d& beside,
                                 ContactSpring& spring) const {
   const ContactMesh& contact_mesh = kinematics_.contact_mesh();
   const std::uint32_t mesh_node = contact_mesh.mesh_nodes[node];
   spring.ends.push_back({mesh_node, false, static_cast<std::uint8_t>(corner), Eigen::Matrix3d::Identity()});
   Eigen::Vector3d arm = beside;
-  if (const std::size_t n = contact_mesh.n_mesh_points(); node >= n)
-    arm += kinematics_.offsets().col(static_cast<Eigen::Index>(node - n));
+  if (const std::size_t n = contact_mesh.n_mesh_points(); node.value >= n)
+    arm += kinematics_.offsets().col(static_cast<Eigen::Index>(node.value - n));
   if (!arm.isZero(0.0)) add_turning(corner, mesh_node, arm, spring);
 }
 

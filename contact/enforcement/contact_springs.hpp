@@ -37,7 +37,7 @@ class ContactSprings {
 
  private:
   void add_corners(const ContactPoint& point, ContactSpring& spring) const;
-  void add_corner(std::size_t corner, std::uint32_t node, const Eigen::Vector3d& beside,
+  void add_corner(std::size_t corner, ContactNodeIndex node, const Eigen::Vector3d& beside,
                   ContactSpring& spring) const;
   void add_turning(std::size_t corner, std::uint32_t mesh_node, const Eigen::Vector3d& arm,
                    ContactSpring& spring) const;

@@ -27,9 +27,9 @@ constexpr double coefficient = 1e-3;
 constexpr double tangential_fraction = 0.1;
 
 Eigen::Matrix3Xd positions(const ContactKinematics& kinematics) {
-  const std::size_t n = kinematics.contact_mesh().n_nodes();
-  Eigen::Matrix3Xd x(3, static_cast<Eigen::Index>(n));
-  for (std::uint32_t i = 0; i < n; ++i) x.col(i) = kinematics.x(i);
+  const ContactMesh& contact_mesh = kinematics.contact_mesh();
+  Eigen::Matrix3Xd x(3, static_cast<Eigen::Index>(contact_mesh.n_nodes()));
+  for (const ContactNodeIndex i : contact_mesh.nodes()) x.col(i.value) = kinematics.x(i);
   return x;
 }
 
@@ -180,8 +180,8 @@ void ContactStabilization::visit_springs(const ContactSprings& springs,
   for (const Point& point : points_) take(springs.spring_between(point.sides, stiffness_now(point)));
 }
 
-std::vector<std::uint32_t> ContactStabilization::nodes() const {
-  std::vector<std::uint32_t> nodes;
+std::vector<ContactNodeIndex> ContactStabilization::nodes() const {
+  std::vector<ContactNodeIndex> nodes;
   for (const Point& point : points_) {
     nodes.push_back(point.sides.first.nodes[0]);
     for (std::size_t k = 0; k < 4; ++k) {
@@ -198,7 +198,7 @@ double ContactStabilization::end_step(const ContactKinematics& kinematics) {
   for (const Point& point : points_) {
     const auto add_one = [&](const ContactPointSide& side, std::size_t k, double sign) {
       const double weight = side.weights[static_cast<Eigen::Index>(k)];
-      if (weight != 0.0) now.col(side.nodes[k]) += sign * weight * point.sides.tangential;
+      if (weight != 0.0) now.col(side.nodes[k].value) += sign * weight * point.sides.tangential;
     };
     for (std::size_t k = 0; k < 4; ++k) {
       add_one(point.sides.first, k, 1.0);

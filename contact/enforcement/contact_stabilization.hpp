@@ -45,7 +45,7 @@ class ContactStabilization {
   void visit_springs(const ContactSprings& springs,
                      const std::function<void(const ContactSpring&)>& take) const;
   /// Contact nodes that resist, each once or more.
-  std::vector<std::uint32_t> nodes() const;
+  std::vector<ContactNodeIndex> nodes() const;
   /// Ends a step. Returns what the mean of the forces at both its ends has taken from the bodies [energy].
   ///   kinematics  of its end
   double end_step(const ContactKinematics& kinematics);

@@ -35,7 +35,8 @@ void MomentumBalance::begin(const Model& model, const ModelFreeDirections& free,
   time_ = state.time;
 }
 
-void MomentumBalance::push(std::uint32_t node, const Eigen::Vector3d& force, const Eigen::Vector3d& moment) {
+void MomentumBalance::push(ContactNodeIndex node, const Eigen::Vector3d& force,
+                           const Eigen::Vector3d& moment) {
   terms_.clear();
   mobility_.add_terms(node, 1.0, Eigen::Vector3d::Zero(), terms_);
   for (const CarrierTerm& term : terms_) {

@@ -52,7 +52,7 @@ class MomentumBalance {
   /// Adds the points of a tie, which must outlive the step.
   void add(Tie& tie) { ties_.add(tie); }
   /// Adds a force at a contact node, and a moment about it, that act besides.
-  void push(std::uint32_t node, const Eigen::Vector3d& force, const Eigen::Vector3d& moment);
+  void push(ContactNodeIndex node, const Eigen::Vector3d& force, const Eigen::Vector3d& moment);
   /// To be called when all points are added, behind load steps: ContactConstraints::spread_pressed().
   void spread_pressed() { contacts_.spread_pressed(); }
   /// The points in the order of add() with the forces that the passes begin with.

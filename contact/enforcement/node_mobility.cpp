@@ -64,7 +64,7 @@ void NodeMobility::set_nodes(const Model& model, const ModelFreeDirections& dire
   const bool turns = model.inertia.cols() > 0;
   const Eigen::Matrix3d all = Eigen::Matrix3d::Identity();
   contact_node_.assign(static_cast<std::size_t>(model.mass.cols()), std::nullopt);
-  for (std::uint32_t i = 0; i < contact_mesh.n_nodes(); ++i) {
+  for (const ContactNodeIndex i : contact_mesh.nodes()) {
     const NodeIndex node{contact_mesh.mesh_nodes[i]};
     if (contact_mesh.first_alike[i] == i) contact_node_[node.value] = i;
     const double mass = model.mass(0, node.value);
@@ -74,10 +74,10 @@ void NodeMobility::set_nodes(const Model& model, const ModelFreeDirections& dire
     const bool is_held = free != nullptr && free->isZero(0.0);
     const bool has_ring = kinematics_->spins().find(node.value).has_value();
     if (!is_positive(inertia) && !has_ring && (free == nullptr || is_held || *free == all)) {
-      inverse_mass_[i] = is_held ? 0.0 : 1.0 / mass;
+      inverse_mass_[i.value] = is_held ? 0.0 : 1.0 / mass;
       continue;
     }
-    General& general = make_general(i);
+    General& general = make_general(i.value);
     general.translation = (free != nullptr ? *free : all) / mass;
     general.translation_bound = largest_stretch(general.translation);
     if (!is_positive(inertia) || has_ring) continue;
@@ -131,9 +131,9 @@ std::uint32_t NodeMobility::use(std::uint32_t body) {
   return carrier;
 }
 
-std::uint32_t NodeMobility::use_node(std::uint32_t node) {
+std::uint32_t NodeMobility::use_node(ContactNodeIndex node) {
   const std::size_t n_before = carriers_.size();
-  const std::uint32_t carrier = use(kinematics_->contact_mesh().first_alike[node]);
+  const std::uint32_t carrier = use(kinematics_->contact_mesh().first_alike[node].value);
   if (carriers_.size() > n_before) mesh_nodes_.push_back(kinematics_->contact_mesh().mesh_nodes[node]);
   return carrier;
 }
@@ -149,28 +149,28 @@ void NodeMobility::use_ring(std::uint32_t carrier, std::uint32_t mesh_node) {
     ring_carriers_.push_back(use_node(*contact_node_[other]));
 }
 
-std::optional<std::uint32_t> NodeMobility::plain_carrier(std::uint32_t node) {
+std::optional<std::uint32_t> NodeMobility::plain_carrier(ContactNodeIndex node) {
   const ContactMesh& contact_mesh = kinematics_->contact_mesh();
   const bool is_plain =
-      rigid_->is_free({contact_mesh.mesh_nodes[node]}) && !general_[contact_mesh.first_alike[node]];
+      rigid_->is_free({contact_mesh.mesh_nodes[node]}) && !general_[contact_mesh.first_alike[node].value];
   return is_plain ? std::optional(use_node(node)) : std::nullopt;
 }
 
-void NodeMobility::add_terms(std::uint32_t node, double weight, const Eigen::Vector3d& beside,
+void NodeMobility::add_terms(ContactNodeIndex node, double weight, const Eigen::Vector3d& beside,
                              std::vector<CarrierTerm>& terms) {
   const ContactMesh& contact_mesh = kinematics_->contact_mesh();
   const NodeIndex mesh_node{contact_mesh.mesh_nodes[node]};
   if (rigid_->is_free(mesh_node)) {
     Eigen::Vector3d arm = beside;
     const std::size_t n_mesh_points = contact_mesh.n_mesh_points();
-    if (node >= n_mesh_points)
-      arm += kinematics_->offsets().col(static_cast<Eigen::Index>(node - n_mesh_points));
+    if (node.value >= n_mesh_points)
+      arm += kinematics_->offsets().col(static_cast<Eigen::Index>(node.value - n_mesh_points));
     const std::uint32_t carrier = use_node(node);
     use_ring(carrier, mesh_node.value);
     terms.push_back({carrier, weight, arm});
     return;
   }
-  const auto body = static_cast<std::uint32_t>(rigid_->body_of[mesh_node.value]);
+  const std::uint32_t body = *rigid_->body_of[mesh_node.value];
   const std::uint32_t carrier = use(static_cast<std::uint32_t>(contact_mesh.n_nodes()) + body);
   const Eigen::Vector3d arm = kinematics_->x(node) + beside - state_->rigid[body].position;
   const auto same = std::ranges::find_if(

@@ -42,11 +42,11 @@ class NodeMobility {
 
   /// Appends the terms of a contact node, those of one rigid body as one.
   ///   beside  from the contact node to the point [length]
-  void add_terms(std::uint32_t node, double weight, const Eigen::Vector3d& beside,
+  void add_terms(ContactNodeIndex node, double weight, const Eigen::Vector3d& beside,
                  std::vector<CarrierTerm>& terms);
 
   /// The carrier of a contact node that is a plain one, for which the node alone counts and no arm.
-  std::optional<std::uint32_t> plain_carrier(std::uint32_t node);
+  std::optional<std::uint32_t> plain_carrier(ContactNodeIndex node);
 
   std::size_t n_carriers() const { return carriers_.size(); }
   /// The nodes of the mesh among the carriers.
@@ -115,7 +115,7 @@ class NodeMobility {
   void turn_bodies(const Model& model, const ModelFreeDirections& directions, const State& state);
   General& make_general(std::uint32_t body);
   std::uint32_t use(std::uint32_t body);
-  std::uint32_t use_node(std::uint32_t node);
+  std::uint32_t use_node(ContactNodeIndex node);
   void use_ring(std::uint32_t carrier, std::uint32_t mesh_node);
   void turn_rings(Changes& of) const;
   Eigen::Vector3d moved_by(std::uint32_t carrier, const Eigen::Vector3d& force) const;
@@ -127,7 +127,7 @@ class NodeMobility {
   std::vector<OptionalIndex<std::uint32_t>> general_;  // [n_bodies] position in generals_
   std::vector<double> inverse_mass_;                   // [n_bodies] of plain ones, 0 of held ones [1/mass]
   std::vector<OptionalIndex<std::uint32_t>> carrier_;  // [n_bodies] among those of the step
-  std::vector<OptionalIndex<std::uint32_t>> contact_node_;  // [n_nodes of the mesh] the first one with it
+  std::vector<OptionalIndex<ContactNodeIndex>> contact_node_;  // [n_nodes of the mesh] the first one with it
   std::vector<General> generals_;
   std::vector<std::uint32_t> mesh_nodes_;  // of the step
   std::vector<Carrier> carriers_;          // of the step

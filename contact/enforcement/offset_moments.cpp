@@ -18,7 +18,7 @@ void OffsetMoments::visit(const Visit& visit) const {
     visit(contact_mesh_.loft.node(i), Eigen::Vector3d(offset.cross(on_points[i].head<3>())));
   }
   const auto of_spheres = assembler_.moments();
-  for (std::size_t i = 0; i < of_spheres.size(); ++i) visit(contact_mesh_.mesh_nodes[i], of_spheres[i]);
+  for (const ContactNodeIndex i : indices(of_spheres)) visit(contact_mesh_.mesh_nodes[i], of_spheres[i]);
 }
 
 void OffsetMoments::add_forces(Eigen::Matrix3Xd& forces) {

@@ -67,7 +67,7 @@ void PairHistories::note_slide(const ContactPoint& point, const ContactMesh& con
 void PairHistories::add_released(std::span<const ReleasedPartner<FaceIndex>> faces,
                                  std::span<const ReleasedPartner<SurfaceNodeIndex>> rows,
                                  const ContactMesh& contact_mesh) {
-  const auto add = [&](const auto& released, std::uint32_t node) {
+  const auto add = [&](const auto& released, ContactNodeIndex node) {
     PairHistory& history = histories_[released.pair];
     if (history.n_released++ == 0) history.released_node = contact_mesh.mesh_nodes[node];
   };

@@ -10,7 +10,7 @@ namespace contactsim {
 namespace {
 
 /// Power of a force on a contact node and a moment about it [energy/time].
-double power(const ContactKinematics& kinematics, std::uint32_t node, const Eigen::Vector3d& force,
+double power(const ContactKinematics& kinematics, ContactNodeIndex node, const Eigen::Vector3d& force,
              const Eigen::Vector3d& moment) {
   const double of_force = force.dot(kinematics.last_v(node));
   return moment.isZero(0.0) ? of_force : of_force + moment.dot(kinematics.last_turning(node));
@@ -58,16 +58,18 @@ void PairWork::add(const ContactKinematics& kinematics, const ContactPoint& poin
     coming_[point.pair] += point.work_after;
     return;
   }
-  visit_forces(point, [&](std::uint32_t node, const Eigen::Vector3d& force, const Eigen::Vector3d& moment) {
-    add(kinematics, {point.pair, node, force, moment});
-  });
+  visit_forces(point,
+               [&](ContactNodeIndex node, const Eigen::Vector3d& force, const Eigen::Vector3d& moment) {
+                 add(kinematics, {point.pair, node, force, moment});
+               });
 }
 
 double PairWork::work_behind(const ContactKinematics& kinematics, const ContactPoint& point) const {
   double sum = 0.0;
-  visit_forces(point, [&](std::uint32_t node, const Eigen::Vector3d& force, const Eigen::Vector3d& moment) {
-    sum -= half_ * power(kinematics, node, force, moment);
-  });
+  visit_forces(point,
+               [&](ContactNodeIndex node, const Eigen::Vector3d& force, const Eigen::Vector3d& moment) {
+                 sum -= half_ * power(kinematics, node, force, moment);
+               });
   return sum;
 }
 

@@ -40,7 +40,7 @@ class PairWork {
   /// A force on a contact node, with its moment about the node.
   struct NodeForce {
     PairIndex pair;
-    std::uint32_t node = 0;
+    ContactNodeIndex node;
     Eigen::Vector3d force = Eigen::Vector3d::Zero();   ///< [force]
     Eigen::Vector3d moment = Eigen::Vector3d::Zero();  ///< [force length]
   };

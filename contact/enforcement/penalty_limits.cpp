@@ -22,32 +22,32 @@ class StiffnessLimits {
     for (const FaceIndex i : indices(contact_mesh_.faces)) {
       const Eigen::Vector3d share = kinematics.corner_area(i);
       normals_.push_back(share.normalized());
-      for (const std::uint32_t corner : corners(contact_mesh_.faces[i]))
+      for (const ContactNodeIndex corner : corners(contact_mesh_.faces[i]))
         areas_[corner] += share * normals_[i].transpose();
     }
   }
 
-  static std::span<const std::uint32_t> corners(const ContactFace& face) {
+  static std::span<const ContactNodeIndex> corners(const ContactFace& face) {
     return std::span(face.corners).first(face.is_triangle() ? 3 : 4);
   }
-  bool is_held(std::uint32_t node, const Eigen::Vector3d* normal) const {
+  bool is_held(ContactNodeIndex node, const Eigen::Vector3d* normal) const {
     return mobility_.is_held(kinematics_, node, normal);
   }
   const Eigen::Vector3d& normal(FaceIndex face) const { return normals_[face]; }
   /// Whether a node is one of a rigid body or cannot be moved.
-  bool is_rigid(std::uint32_t node) const {
+  bool is_rigid(ContactNodeIndex node) const {
     return mobility_.is_of_body(contact_mesh_, node) || is_held(node, nullptr);
   }
-  bool is_rigid(std::uint32_t node, FaceIndex face) const {
+  bool is_rigid(ContactNodeIndex node, FaceIndex face) const {
     return mobility_.is_of_body(contact_mesh_, node) || is_held(node, &normals_[face]);
   }
   /// The most that a node may have as a corner of a face.
-  double at_face(std::uint32_t node, FaceIndex face) const {
+  double at_face(ContactNodeIndex node, FaceIndex face) const {
     if (is_held(node, &normals_[face])) return std::numeric_limits<double>::infinity();
     return rate_ * contact_mesh_.mass[node] / normals_[face].dot(areas_[node] * normals_[face]);
   }
   /// The most of a node that stands for an area on all sides.
-  double all_round(std::uint32_t node, double area) const {
+  double all_round(ContactNodeIndex node, double area) const {
     if (is_held(node, nullptr)) return std::numeric_limits<double>::infinity();
     return rate_ * contact_mesh_.mass[node] / area;
   }
@@ -57,7 +57,7 @@ class StiffnessLimits {
   const ContactMesh& contact_mesh_;
   const ContactMobility& mobility_;
   double rate_;
-  std::vector<Eigen::Matrix3d> areas_;  // of normal x normal, at each node [length^2]
+  IndexedVector<ContactNodeIndex, Eigen::Matrix3d> areas_;  // of normal x normal, at each node [length^2]
   IndexedVector<FaceIndex, Eigen::Vector3d> normals_;
 };
 
@@ -82,14 +82,14 @@ void limit_stiffness(const ContactKinematics& kinematics, const ContactMobility&
     PenaltyProperties& penalty_properties = contact_mesh.faces[i].penalty_properties;
     const auto corners = StiffnessLimits::corners(contact_mesh.faces[i]);
     penalty_properties.is_rigid =
-        std::ranges::all_of(corners, [&](std::uint32_t corner) { return limits.is_rigid(corner, i); });
-    for (const std::uint32_t corner : corners)
+        std::ranges::all_of(corners, [&](ContactNodeIndex corner) { return limits.is_rigid(corner, i); });
+    for (const ContactNodeIndex corner : corners)
       penalty_properties.stiffness = std::min(penalty_properties.stiffness, limits.at_face(corner, i));
   }
   for (ContactEdge& edge : contact_mesh.edges) {
     edge.penalty_properties.is_rigid =
-        std::ranges::all_of(edge.nodes, [&](std::uint32_t node) { return limits.is_rigid(node); });
-    for (const std::uint32_t node : edge.nodes)
+        std::ranges::all_of(edge.nodes, [&](ContactNodeIndex node) { return limits.is_rigid(node); });
+    for (const ContactNodeIndex node : edge.nodes)
       edge.penalty_properties.stiffness =
           std::min(edge.penalty_properties.stiffness, limits.all_round(node, edge.width * edge.width));
   }

@@ -13,12 +13,13 @@ namespace contactsim {
 namespace {
 
 using Entry = PreloadForces::Entry;
+using Entries = PreloadForces::Entries;
 
 /// The forces of all contact nodes.
-std::vector<Entry> entries_of(const ContactAssembler& assembler) {
-  std::vector<Entry> entries(assembler.nodes().size());
+Entries entries_of(const ContactAssembler& assembler) {
+  Entries entries(assembler.nodes().size());
   const bool has_moments = !assembler.moments().empty();
-  for (std::uint32_t i = 0; i < entries.size(); ++i) {
+  for (const ContactNodeIndex i : indices(entries)) {
     entries[i] = {i, assembler.nodes()[i].head<3>()};
     if (has_moments) entries[i].moment = assembler.moments()[i];
   }
@@ -43,9 +44,9 @@ void PreloadForces::take_over(const ContactAssembler& before, double ends) {
   ends_ = ends;
 }
 
-double PreloadForces::find_lack(const ContactAssembler& assembler, std::vector<Entry>& lack) const {
+double PreloadForces::find_lack(const ContactAssembler& assembler, Entries& lack) const {
   lack = entries_of(assembler);
-  for (std::size_t i = 0; i < lack.size(); ++i) {
+  for (const ContactNodeIndex i : indices(lack)) {
     lack[i].force = before_[i].force - lack[i].force;
     lack[i].moment = before_[i].moment - lack[i].moment;
   }
@@ -55,9 +56,10 @@ double PreloadForces::find_lack(const ContactAssembler& assembler, std::vector<E
 
 void PreloadForces::begin(const ContactAssembler& now, double begins, bool settles) {
   begins_ = begins;
-  share_of_before_ = find_lack(now, entries_);
-  erase_zeros(entries_);
-  first_ = entries_;
+  Entries lack;
+  share_of_before_ = find_lack(now, lack);
+  erase_zeros(lack);
+  entries_ = first_ = std::move(lack);
   n_settled_ = 1;
   if (!settles) end_settling();
 }
@@ -65,14 +67,14 @@ void PreloadForces::begin(const ContactAssembler& now, double begins, bool settl
 void PreloadForces::settle(ContactAssembler& assembler) {
   constexpr int n_tried = 3, most = 12;  // steps before a judgement, and in all
   constexpr double at_rest = 0.995;      // what is lacking shrinks more slowly
-  std::vector<Entry> lack;
+  Entries lack;
   const double lacking = find_lack(assembler, lack);
   const bool shrinks = lacking < at_rest * last_lack_;
   last_lack_ = lacking;
   ++n_settled_;
   const bool is_over = n_settled_ > n_tried && !shrinks;
   if (!is_over) {
-    std::vector<Entry> held(std::move(lack));
+    Entries held(std::move(lack));
     for (const Entry& entry : held) assembler.add_node(entry.node, entry.force, entry.moment);
     for (const Entry& entry : entries_) {
       held[entry.node].force += entry.force;

@@ -24,9 +24,10 @@ class PreloadForces {
  public:
   /// Of a contact node [force] [force length].
   struct Entry {
-    std::uint32_t node = 0;
+    ContactNodeIndex node;
     Eigen::Vector3d force = Eigen::Vector3d::Zero(), moment = Eigen::Vector3d::Zero();
   };
+  using Entries = IndexedVector<ContactNodeIndex, Entry>;  ///< of all contact nodes
 
   /// Takes over what is pressed with before.
   ///   ends  of letting go [time]
@@ -63,12 +64,12 @@ class PreloadForces {
   double held(double time) const;
 
   /// What a step lacks, and its size over that of the forces of before [1].
-  double find_lack(const ContactAssembler& assembler, std::vector<Entry>& lack) const;
+  double find_lack(const ContactAssembler& assembler, Entries& lack) const;
   void end_settling();
 
   std::vector<Entry> entries_;
-  std::vector<Entry> before_;  ///< [n_nodes] until contact has settled
-  std::vector<Entry> first_;   ///< what was held at first, until then
+  Entries before_;            ///< [n_nodes] until contact has settled
+  std::vector<Entry> first_;  ///< what was held at first, until then
   double begins_ = 0.0, ends_ = 0.0;
   double share_of_before_ = 0.0;
   double last_lack_ = 0.0;  ///< of the step before, as find_lack() returns it [1]

@@ -26,8 +26,8 @@ inline double depth_of_known(double depth, double before, double closed) {
 /// A contact that has ended though its sides did not part: one of them has got past the other.
 struct LostContact {
   PairIndex pair;
-  std::uint32_t node = 0;  ///< contact node of one of the sides
-  double depth = 0.0;      ///< penetration in the step before [length]
+  ContactNodeIndex node;  ///< contact node of one of the sides
+  double depth = 0.0;     ///< penetration in the step before [length]
 };
 
 /// A penetration beyond this share of the thinner element's thickness does not end in one step by parting.

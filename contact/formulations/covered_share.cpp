@@ -30,7 +30,7 @@ bool is_inside_borders(const ContactKinematics& kinematics, FaceIndex face, cons
     const std::size_t n = here.is_triangle() ? 3 : 4;
     std::optional<FaceIndex> next;
     for (std::size_t k = 0; k < n && !next; ++k) {
-      const std::uint32_t a = here.corners[k], b = here.corners[(k + 1) % n];
+      const ContactNodeIndex a = here.corners[k], b = here.corners[(k + 1) % n];
       const Eigen::Vector3d from = kinematics.x(a), along = kinematics.x(b) - from;
       const double inside = normal.dot(along.cross(point - from));
       if (inside >= -rounding * along.squaredNorm()) continue;

@@ -30,12 +30,12 @@ constexpr float max_skew = -0.65f;
 
 /// What lies before a side face, as seen from its rims.
 struct Ahead {
-  Eigen::Vector3d closing;                  ///< velocity of the side face relative to it [length/time]
-  Eigen::Vector3d normal;                   ///< of the other side there [1]
-  std::span<const Eigen::Vector3d> points;  ///< [length]
-  double share = 1.0;                       ///< of the strip's width that they may lie behind the rim [1]
-  std::span<const std::uint32_t> corners;   ///< contact nodes of the other side's entity
-  SurfaceIndex surface;                     ///< of the other side
+  Eigen::Vector3d closing;                    ///< velocity of the side face relative to it [length/time]
+  Eigen::Vector3d normal;                     ///< of the other side there [1]
+  std::span<const Eigen::Vector3d> points;    ///< [length]
+  double share = 1.0;                         ///< of the strip's width that they may lie behind the rim [1]
+  std::span<const ContactNodeIndex> corners;  ///< contact nodes of the other side's entity
+  SurfaceIndex surface;                       ///< of the other side
 };
 
 /// Whether some face at the corners of what lies ahead is facing a direction, and turns away from what
@@ -44,7 +44,7 @@ struct Ahead {
 bool has_opposite(const ContactStepContext& context, const Ahead& ahead, const Eigen::Vector3d& out) {
   constexpr double opposite = -0.9;
   const ContactMesh& contact_mesh = context.kinematics.contact_mesh();
-  return std::ranges::any_of(ahead.corners, [&](std::uint32_t corner) {
+  return std::ranges::any_of(ahead.corners, [&](ContactNodeIndex corner) {
     const Eigen::Vector3d x = context.kinematics.x(corner);
     return std::ranges::any_of(contact_mesh.faces_of_node.of(corner), [&](FaceIndex face) {
       const FaceBound& bound = context.kinematics.bound(face);
@@ -64,7 +64,7 @@ bool lie_in_strip(const ContactStepContext& context, FaceIndex face, const Ahead
   const Eigen::Vector3d centre =
       0.25 * (context.kinematics.x(side.corners[0]) + context.kinematics.x(side.corners[1]) +
               context.kinematics.x(side.corners[2]) + context.kinematics.x(side.corners[3]));
-  for (const std::uint32_t corner : side.corners) {
+  for (const ContactNodeIndex corner : side.corners) {
     const Eigen::Vector3d x = context.kinematics.x(corner);
     for (const FaceIndex beyond : contact_mesh.faces_of_node.of(corner)) {
       if (contact_mesh.faces[beyond].surface != side.surface || beyond == face) continue;
@@ -136,7 +136,7 @@ bool is_at_flush_rim(const ContactStepContext& context, SurfaceNodeIndex row, Fa
     const ContactFace& opposed = contact_mesh.faces[face];
     if (lie_in_strip(context, own, {closing, normal, corners, 1.0, opposed.corners, opposed.surface}))
       return true;
-    for (const std::uint32_t corner : contact_mesh.faces[own].corners)
+    for (const ContactNodeIndex corner : contact_mesh.faces[own].corners)
       own_points.push_back(context.kinematics.x(corner));
   }
   if (own_points.empty()) own_points.push_back(context.kinematics.x(node.node));

@@ -93,7 +93,7 @@ bool keep_constraint(const ContactRemap& remap, InterfaceConstraint& constraint)
   if (!first || !second) return false;
   constraint.first_entity = *first;
   constraint.second = *second;
-  for (std::uint32_t& node : constraint.nodes) node = *remap.nodes[node];
+  for (ContactNodeIndex& node : constraint.nodes) node = *remap.nodes[node];
   return true;
 }
 

@@ -21,8 +21,8 @@ struct InterfaceConstraint {
   bool is_swapped = false;         ///< the first side is of the pair's second surface
   std::uint32_t first_entity = 0;  ///< face or surface node
   FaceIndex second;
-  bool is_node = false;                  ///< the first side is a node
-  std::array<std::uint32_t, 8> nodes{};  ///< contact nodes of the corners
+  bool is_node = false;                     ///< the first side is a node
+  std::array<ContactNodeIndex, 8> nodes{};  ///< contact nodes of the corners
   Eigen::Matrix<double, 8, 1> springs =
       Eigen::Matrix<double, 8, 1>::Zero();  ///< each corner's share of the springs [force/length]
   double area = 0.0;                        ///< [length^2]

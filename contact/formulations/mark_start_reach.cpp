@@ -128,7 +128,7 @@ double ReachMarker::way_of_node(const SurfaceNode& node, const ContactFace& face
 }
 
 double ReachMarker::way_of_edges(const ContactEdge& first, const ContactEdge& second) const {
-  for (const std::uint32_t node : first.nodes) {
+  for (const ContactNodeIndex node : first.nodes) {
     if (std::ranges::find(second.nodes, node) != second.nodes.end()) return far;
   }
   const auto segment_of = [&](const ContactEdge& edge) {

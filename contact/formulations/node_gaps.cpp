@@ -24,11 +24,11 @@ class NodeGaps {
     }
   }
 
-  void take(double gap, const PairRule& rule, std::uint32_t node) {
+  void take(double gap, const PairRule& rule, ContactNodeIndex node) {
     if (std::abs(gap) <= limit(rule, node) && std::abs(gap) < std::abs(gaps_[node])) gaps_[node] = gap;
   }
 
-  std::vector<double> taken() {
+  IndexedVector<ContactNodeIndex, double> taken() {
     std::ranges::replace(gaps_, infinite, 0.0);
     return std::move(gaps_);
   }
@@ -36,26 +36,27 @@ class NodeGaps {
  private:
   static constexpr double infinite = std::numeric_limits<double>::infinity();
 
-  double limit(const PairRule& rule, std::uint32_t node) const {
+  double limit(const PairRule& rule, ContactNodeIndex node) const {
     return rule.pair->tracking_distance.value_or(search_.margin_of(node));
   }
   /// Nothing is known to be nearer than the limit.
   void begin(const PairRule& rule, SurfaceIndex surface) {
     for (const SurfaceNodeIndex row : contact_mesh_.rows_of(surface)) {
-      const std::uint32_t node = contact_mesh_.surface_nodes[row].node;
+      const ContactNodeIndex node = contact_mesh_.surface_nodes[row].node;
       gaps_[node] = std::min(gaps_[node], limit(rule, node));
     }
   }
 
   const ContactMesh& contact_mesh_;
   const ContactSearch& search_;
-  std::vector<double> gaps_;  // [n_contact_nodes] [length]
+  IndexedVector<ContactNodeIndex, double> gaps_;  // [n_contact_nodes] [length]
 };
 
 }  // namespace
 
-std::vector<double> find_node_gaps(const ContactKinematics& kinematics, const Mesh& mesh,
-                                   const PairRules& rules, const DashOptions& dash, const Motion& motion) {
+IndexedVector<ContactNodeIndex, double> find_node_gaps(const ContactKinematics& kinematics, const Mesh& mesh,
+                                                       const PairRules& rules, const DashOptions& dash,
+                                                       const Motion& motion) {
   const ContactMesh& contact_mesh = kinematics.contact_mesh();
   ContactSearch search(contact_mesh, mesh, rules, {}, dash);
   NodeGaps gaps(kinematics, rules, search);

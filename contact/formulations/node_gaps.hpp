@@ -16,7 +16,8 @@ namespace contactsim {
 ///   kinematics  bounds of all faces are those of now
 /// Returns [n_contact_nodes] [length]; 0 of nodes whose surfaces meet nothing.
 /// Source: *SURFACE INTERACTION, TRACKING THICKNESS and COPEN of Abaqus.
-std::vector<double> find_node_gaps(const ContactKinematics& kinematics, const Mesh& mesh,
-                                   const PairRules& rules, const DashOptions& dash, const Motion& motion);
+IndexedVector<ContactNodeIndex, double> find_node_gaps(const ContactKinematics& kinematics, const Mesh& mesh,
+                                                       const PairRules& rules, const DashOptions& dash,
+                                                       const Motion& motion);
 
 }  // namespace contactsim

@@ -86,7 +86,7 @@ class Interface {
     return std::ranges::any_of(mesh().faces_of_node.of(node.node), [&](FaceIndex face) {
       const ContactFace& own = mesh().faces[face];
       return own.surface == node.surface && lies_along(face) &&
-             std::ranges::any_of(own.corners, [&](std::uint32_t corner) {
+             std::ranges::any_of(own.corners, [&](ContactNodeIndex corner) {
                const auto around = mesh().find_row(corner, own.surface);
                return corner != node.node && around && !find_met(*around, other);
              });

@@ -40,7 +40,7 @@ void visit_nodes_before_faces(ContactSearch& search, const ContactKinematics& ki
     const ContactFace& face = contact_mesh.faces[of];
     const PairIndex pair = *rules.find(face.surface, contact_mesh.faces[before].surface);
     const double offset = rules.gap_offsets().of_faces(pair, of, before);
-    for (const std::uint32_t corner : face.corners) {
+    for (const ContactNodeIndex corner : face.corners) {
       const auto row = contact_mesh.find_row(corner, face.surface);
       if (row) look_at(*row, before, offset);
     }

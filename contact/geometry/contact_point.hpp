@@ -11,7 +11,7 @@ namespace contactsim {
 
 /// One side of a contact point: up to four contact nodes and their shares in the force.
 struct ContactPointSide {
-  std::array<std::uint32_t, 4> nodes{};
+  std::array<ContactNodeIndex, 4> nodes{};
   Eigen::Vector4d weights = Eigen::Vector4d::Zero();  ///< sum 1; all 0 of a rigid side [1]
   double radius = 0.0;  ///< by which the point stands off the nodes, towards the other side [length]
 

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
-#include <numeric>
 #include <utility>
 
 #include "contact/geometry/node_face.hpp"
@@ -43,51 +42,51 @@ void AdjacentFaces::renew(const Mesh& mesh) {
   const ContactMesh& contact_mesh = contact_mesh_;
   pieces_of_node_ = {};
   if (contact_mesh.loft.size() == 0 && contact_mesh.edges.empty()) return;
-  pieces_of_node_ = list_by_row<std::uint32_t, PieceIndex>(contact_mesh.n_nodes(), [&](const auto& take) {
+  pieces_of_node_ = list_by_row<ContactNodeIndex, PieceIndex>(contact_mesh.n_nodes(), [&](const auto& take) {
     for (const PieceIndex i : pieces()) {
-      for (const std::uint32_t node : piece(i).nodes) take(node, i);
+      for (const ContactNodeIndex node : piece(i).nodes) take(node, i);
     }
   });
   find_bodies();
   x_.resize(3, static_cast<Eigen::Index>(contact_mesh.n_nodes()));
-  for (Eigen::Index i = 0; i < x_.cols(); ++i)
-    x_.col(i) = mesh.coordinates().col(contact_mesh_.mesh_nodes[static_cast<std::size_t>(i)]);
+  for (const ContactNodeIndex i : contact_mesh.nodes())
+    x_.col(i.value) = mesh.coordinates().col(contact_mesh.mesh_nodes[i]);
   bound_bodies();
 }
 
 /// About the middle of the box around each body.
 void AdjacentFaces::bound_bodies() {
-  std::vector<Eigen::AlignedBox3d> boxes(body_.size());
-  for (std::uint32_t i = 0; i < body_.size(); ++i) boxes[body_[i]].extend(x_.col(i));
+  IndexedVector<ContactNodeIndex, Eigen::AlignedBox3d> boxes(body_.size());
+  for (const ContactNodeIndex i : indices(body_)) boxes[body_[i]].extend(x_.col(i.value));
   spheres_.assign(body_.size(), Eigen::Vector4d::Zero());
-  for (std::uint32_t i = 0; i < body_.size(); ++i) {
+  for (const ContactNodeIndex i : indices(body_)) {
     Eigen::Vector4d& sphere = spheres_[body_[i]];
     sphere.head<3>() = boxes[body_[i]].center();
-    sphere[3] = std::max(sphere[3], (x_.col(i) - sphere.head<3>()).norm());
+    sphere[3] = std::max(sphere[3], (x_.col(i.value) - sphere.head<3>()).norm());
   }
 }
 
-bool AdjacentFaces::has_body_within(std::uint32_t node, double distance) const {
+bool AdjacentFaces::has_body_within(ContactNodeIndex node, double distance) const {
   const Eigen::Vector4d& sphere = spheres_[body_[node]];
   constexpr double rounding = 1e-9;
-  return (1.0 + rounding) * ((sphere.head<3>() - x_.col(node)).norm() + sphere[3]) <= distance;
+  return (1.0 + rounding) * ((sphere.head<3>() - x_.col(node.value)).norm() + sphere[3]) <= distance;
 }
 
 void AdjacentFaces::find_bodies() {
   body_.resize(contact_mesh_.n_nodes());
-  std::iota(body_.begin(), body_.end(), 0u);
-  const auto first_of = [this](std::uint32_t node) {
+  std::ranges::copy(indices(body_), body_.begin());
+  const auto first_of = [this](ContactNodeIndex node) {
     while (body_[node] != node) node = body_[node] = body_[body_[node]];
     return node;
   };
   for (const PieceIndex i : pieces()) {
     const auto nodes = piece(i).nodes;
-    for (const std::uint32_t node : nodes) {
+    for (const ContactNodeIndex node : nodes) {
       const auto [low, high] = std::minmax({first_of(nodes[0]), first_of(node)});
       body_[high] = low;
     }
   }
-  for (std::uint32_t i = 0; i < body_.size(); ++i) body_[i] = first_of(i);
+  for (const ContactNodeIndex i : indices(body_)) body_[i] = first_of(i);
 }
 
 AdjacentFaces::Piece AdjacentFaces::piece(PieceIndex index) const {
@@ -97,15 +96,15 @@ AdjacentFaces::Piece AdjacentFaces::piece(PieceIndex index) const {
 }
 
 AdjacentFaces::Piece AdjacentFaces::piece_of(const ContactEdge& edge) const {
-  const std::uint32_t a = contact_mesh_.first_alike[edge.nodes[0]],
-                      b = contact_mesh_.first_alike[edge.nodes[1]];
+  const ContactNodeIndex a = contact_mesh_.first_alike[edge.nodes[0]],
+                         b = contact_mesh_.first_alike[edge.nodes[1]];
   const double offset = std::max({edge.radius, offset_of(edge.nodes[0]), offset_of(edge.nodes[1])});
   return {{a, b, b, b}, offset};
 }
 
-double AdjacentFaces::offset_of(std::uint32_t node) const {
+double AdjacentFaces::offset_of(ContactNodeIndex node) const {
   const std::size_t first = contact_mesh_.n_mesh_points();
-  return node < first ? 0.0 : contact_mesh_.loft.distance(node - first);
+  return node.value < first ? 0.0 : contact_mesh_.loft.distance(node.value - first);
 }
 
 AdjacentFaces::Piece AdjacentFaces::piece_of(const ContactFace& face) const {
@@ -126,7 +125,8 @@ AdjacentFaces::Piece AdjacentFaces::piece_of(const SurfaceNode& node) const {
 
 FaceCorners AdjacentFaces::corners(const Piece& piece) const {
   FaceCorners corners;
-  for (Eigen::Index k = 0; k < 4; ++k) corners.col(k) = x_.col(piece.nodes[static_cast<std::size_t>(k)]);
+  for (Eigen::Index k = 0; k < 4; ++k)
+    corners.col(k) = x_.col(piece.nodes[static_cast<std::size_t>(k)].value);
   return corners;
 }
 
@@ -153,27 +153,27 @@ bool AdjacentFaces::are_adjacent(const Piece& a, const Piece& b) const {
   if (has_body_within(a.nodes[0], farthest)) return true;
   // Nodes that pieces join to the first, those near the second first, and in which search a node was met
   // last.
-  using Step = std::pair<double, std::uint32_t>;
+  using Step = std::pair<double, ContactNodeIndex>;
   thread_local std::vector<Step> steps;
-  thread_local std::vector<std::uint64_t> met;
+  thread_local IndexedVector<ContactNodeIndex, std::uint64_t> met;
   thread_local std::uint64_t search = 0;
   ++search;
   steps.clear();
   met.resize(std::max(met.size(), body_.size()), 0);
-  const auto meet = [&](std::uint32_t node) {
+  const auto meet = [&](ContactNodeIndex node) {
     if (std::exchange(met[node], search) == search) return;
-    steps.emplace_back((x_.col(node) - at_b.col(0)).squaredNorm(), node);
+    steps.emplace_back((x_.col(node.value) - at_b.col(0)).squaredNorm(), node);
     std::ranges::push_heap(steps, std::greater<>());
   };
   std::ranges::for_each(a.nodes, meet);
   while (!steps.empty()) {
     std::ranges::pop_heap(steps, std::greater<>());
-    const std::uint32_t nearest = steps.back().second;
+    const ContactNodeIndex nearest = steps.back().second;
     steps.pop_back();
     for (const PieceIndex neighbour : pieces_of_node_.of(nearest)) {
-      for (const std::uint32_t node : piece(neighbour).nodes) {
+      for (const ContactNodeIndex node : piece(neighbour).nodes) {
         if (std::ranges::find(b.nodes, node) != b.nodes.end()) return true;
-        if ((x_.col(node) - at_a.col(0)).norm() <= farthest) meet(node);
+        if ((x_.col(node.value) - at_a.col(0)).norm() <= farthest) meet(node);
       }
     }
   }

@@ -28,7 +28,7 @@ class AdjacentFaces {
  private:
   /// Contact nodes, first_alike, with the distance that their lofts stand off.
   struct Piece {
-    std::array<std::uint32_t, 4> nodes{};
+    std::array<ContactNodeIndex, 4> nodes{};
     double offset = 0.0;  ///< [length]
   };
   Piece piece_of(const ContactFace& face) const;
@@ -40,21 +40,22 @@ class AdjacentFaces {
     return {{}, {static_cast<std::uint32_t>(contact_mesh_.faces.size() + contact_mesh_.edges.size())}};
   }
   Piece piece(PieceIndex index) const;
-  double offset_of(std::uint32_t node) const;
+  double offset_of(ContactNodeIndex node) const;
   /// Finds which nodes pieces join to one body, and how large these are.
   void find_bodies();
   void bound_bodies();
   /// Whether all nodes of the body of a node are within a distance of it.
-  bool has_body_within(std::uint32_t node, double distance) const;
+  bool has_body_within(ContactNodeIndex node, double distance) const;
   bool are_adjacent(const Piece& a, const Piece& b) const;
   FaceCorners corners(const Piece& piece) const;
 
   const ContactMesh& contact_mesh_;
   Eigen::Matrix3Xd x_;  // 3 x n_contact_nodes at the start, of lofts the nodes that they hang on [length]
-  std::vector<std::uint32_t> body_;  // [n_contact_nodes] by first_alike: the first node of its body
+  IndexedVector<ContactNodeIndex, ContactNodeIndex>
+      body_;  // [n_contact_nodes] by first_alike: the first node of its body
   /// [n_contact_nodes] of a first node of a body: a sphere around the body [length]
-  std::vector<Eigen::Vector4d> spheres_;
-  PairLists<std::uint32_t, PieceIndex>
+  IndexedVector<ContactNodeIndex, Eigen::Vector4d> spheres_;
+  PairLists<ContactNodeIndex, PieceIndex>
       pieces_of_node_;  // [n_contact_nodes] by first_alike; empty without lofts
 };
 

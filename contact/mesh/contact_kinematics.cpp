@@ -15,7 +15,7 @@ namespace {
 
 /// The vectors of a face's corners.
 template <class VectorOf>
-FaceCorners gather(const std::array<std::uint32_t, 4>& corners, const VectorOf& vector_of) {
+FaceCorners gather(const std::array<ContactNodeIndex, 4>& corners, const VectorOf& vector_of) {
   FaceCorners gathered;
   for (int k = 0; k < 4; ++k) gathered.col(k) = vector_of(corners[static_cast<std::size_t>(k)]);
   return gathered;
@@ -24,14 +24,13 @@ FaceCorners gather(const std::array<std::uint32_t, 4>& corners, const VectorOf& 
 }  // namespace
 
 void ContactKinematics::move_nodes(const Motion& motion) {
-  const auto n_nodes = static_cast<Eigen::Index>(contact_mesh_.n_nodes());
+  const auto n_nodes = static_cast<std::uint32_t>(contact_mesh_.n_nodes());
   spins_.update(motion.coordinates);
   velocity_ = last_velocity_ = &motion.velocity;
   turning_ = last_turning_ = find_turning(motion, past_turning_);
   x_.resize(3, n_nodes);
-  parallel_for(n_nodes, threads_for(contact_mesh_.n_nodes()), [&](Eigen::Index i) {
-    x_.col(i) = motion.coordinates.col(contact_mesh_.mesh_nodes[static_cast<std::size_t>(i)]);
-  });
+  parallel_for(n_nodes, threads_for(contact_mesh_.n_nodes()),
+               [&](std::uint32_t i) { x_.col(i) = motion.coordinates.col(contact_mesh_.mesh_nodes[{i}]); });
   if (contact_mesh_.loft.size() > 0) move_lofts(motion);
 }
 
@@ -68,18 +67,18 @@ const Eigen::Matrix3Xd* ContactKinematics::find_turning(const Motion& motion,
 MovingFace ContactKinematics::last_face(FaceIndex index) const {
   const ContactFace& face = contact_mesh_.faces[index];
   MovingFace moving = this->face(index);
-  moving.v = gather(face.corners, [this](std::uint32_t node) { return last_v(node); });
+  moving.v = gather(face.corners, [this](ContactNodeIndex node) { return last_v(node); });
   return moving;
 }
 
 void ContactKinematics::remap(const ContactRemap& remap, const Motion& motion) {
   const Eigen::Matrix3Xd before = std::move(offsets_);
   contact_mesh_.loft.find_offsets(motion.coordinates, shell_areas_, offsets_);
-  const std::size_t first_before = remap.nodes.size() - static_cast<std::size_t>(before.cols());
-  for (Eigen::Index i = 0; i < before.cols(); ++i) {
-    const OptionalIndex<std::uint32_t> after = remap.nodes[first_before + static_cast<std::size_t>(i)];
+  const auto first_before = remap.nodes.next().value - static_cast<std::uint32_t>(before.cols());
+  for (std::uint32_t i = 0; i < before.cols(); ++i) {
+    const OptionalIndex<ContactNodeIndex> after = remap.nodes[{first_before + i}];
     if (after)
-      offsets_.col(static_cast<Eigen::Index>(*after - contact_mesh_.n_mesh_points())) = before.col(i);
+      offsets_.col(static_cast<Eigen::Index>((*after).value - contact_mesh_.n_mesh_points())) = before.col(i);
   }
 }
 
@@ -150,11 +149,11 @@ void ContactKinematics::bound_watched() {
 }
 
 FaceCorners ContactKinematics::corners(const ContactFace& face) const {
-  return gather(face.corners, [this](std::uint32_t node) { return x(node); });
+  return gather(face.corners, [this](ContactNodeIndex node) { return x(node); });
 }
 
 FaceCorners ContactKinematics::velocities(const ContactFace& face) const {
-  return gather(face.corners, [this](std::uint32_t node) { return v(node); });
+  return gather(face.corners, [this](ContactNodeIndex node) { return v(node); });
 }
 
 void ContactKinematics::set_bound(FaceIndex index) {

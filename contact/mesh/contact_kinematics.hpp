@@ -55,32 +55,33 @@ class ContactKinematics {
   }
 
   const ContactMesh& contact_mesh() const { return contact_mesh_; }
-  auto x(std::uint32_t node) const { return x_.col(node); }
-  Eigen::Map<const Eigen::Vector3d> v(std::uint32_t node) const {
+  auto x(ContactNodeIndex node) const { return x_.col(node.value); }
+  Eigen::Map<const Eigen::Vector3d> v(ContactNodeIndex node) const {
     const std::size_t n_mesh_points = contact_mesh_.n_mesh_points();
     return Eigen::Map<const Eigen::Vector3d>(
-        node < n_mesh_points ? velocity_->data() + 3 * std::size_t{contact_mesh_.mesh_nodes[node]}
-                             : loft_velocity_.data() + 3 * (node - n_mesh_points));
+        node.value < n_mesh_points ? velocity_->data() + 3 * std::size_t{contact_mesh_.mesh_nodes[node]}
+                                   : loft_velocity_.data() + 3 * (node.value - n_mesh_points));
   }
   /// In the step before, whatever is foreseen [length/time].
-  Eigen::Vector3d last_v(std::uint32_t node) const {
+  Eigen::Vector3d last_v(ContactNodeIndex node) const {
     Eigen::Vector3d velocity = last_velocity_->col(contact_mesh_.mesh_nodes[node]);
     const std::size_t n_mesh_points = contact_mesh_.n_mesh_points();
-    if (node < n_mesh_points || last_turning_ == nullptr) return velocity;
-    return velocity + last_turning(node).cross(offsets_.col(static_cast<Eigen::Index>(node - n_mesh_points)));
+    if (node.value < n_mesh_points || last_turning_ == nullptr) return velocity;
+    return velocity +
+           last_turning(node).cross(offsets_.col(static_cast<Eigen::Index>(node.value - n_mesh_points)));
   }
   /// The velocity of a point that turns with a node, in the step before or as foreseen [length/time].
   ///   arm  from the node to the point [length]
-  Eigen::Vector3d last_velocity_beside(std::uint32_t node, const Eigen::Vector3d& arm) const {
+  Eigen::Vector3d last_velocity_beside(ContactNodeIndex node, const Eigen::Vector3d& arm) const {
     return last_turning_ == nullptr ? last_v(node) : last_v(node) + last_turning(node).cross(arm);
   }
-  Eigen::Vector3d velocity_beside(std::uint32_t node, const Eigen::Vector3d& arm) const {
+  Eigen::Vector3d velocity_beside(ContactNodeIndex node, const Eigen::Vector3d& arm) const {
     if (turning_ == nullptr) return v(node);
     return v(node) + Eigen::Vector3d(turning_->col(contact_mesh_.mesh_nodes[node])).cross(arm);
   }
   /// How the surface turned in the step before about the node of the mesh that a contact node hangs on
   /// [1/time].
-  Eigen::Vector3d last_turning(std::uint32_t node) const {
+  Eigen::Vector3d last_turning(ContactNodeIndex node) const {
     if (last_turning_ == nullptr) return Eigen::Vector3d::Zero();
     return last_turning_->col(contact_mesh_.mesh_nodes[node]);
   }

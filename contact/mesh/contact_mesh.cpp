@@ -18,8 +18,8 @@ namespace contactsim {
 
 namespace {
 
-std::vector<std::uint32_t> collect_nodes(const ContactModel& contact, const Mesh& mesh,
-                                         std::span<const ErodedNode> eroded_nodes) {
+IndexedVector<ContactNodeIndex, std::uint32_t> collect_nodes(const ContactModel& contact, const Mesh& mesh,
+                                                             std::span<const ErodedNode> eroded_nodes) {
   std::vector<std::uint8_t> is_used(mesh.n_nodes(), 0);
   for (const ErodedNode& free : eroded_nodes) is_used[free.node.value] = 1;
   for (const ContactSurface& surface : contact.surfaces.surfaces) {
@@ -34,7 +34,7 @@ std::vector<std::uint32_t> collect_nodes(const ContactModel& contact, const Mesh
     for (const NodeIndex node : mesh.element_nodes(rod.element).first(2)) is_used[node.value] = 1;
   }
   for (const LoftSphere& sphere : contact.loft.spheres) is_used[sphere.centre.value] = 1;
-  std::vector<std::uint32_t> nodes;
+  IndexedVector<ContactNodeIndex, std::uint32_t> nodes;
   nodes.reserve(static_cast<std::size_t>(std::count(is_used.begin(), is_used.end(), 1)));
   for (std::uint32_t node = 0; node < mesh.n_nodes(); ++node) {
     if (is_used[node] != 0) nodes.push_back(node);
@@ -42,9 +42,9 @@ std::vector<std::uint32_t> collect_nodes(const ContactModel& contact, const Mesh
   return nodes;
 }
 
-PairLists<std::uint32_t, FaceIndex> list_faces_of_nodes(const IndexedVector<FaceIndex, ContactFace>& faces,
-                                                        std::size_t n_nodes) {
-  return list_by_row<std::uint32_t, FaceIndex>(n_nodes, [&](const auto& take) {
+PairLists<ContactNodeIndex, FaceIndex> list_faces_of_nodes(const IndexedVector<FaceIndex, ContactFace>& faces,
+                                                           std::size_t n_nodes) {
+  return list_by_row<ContactNodeIndex, FaceIndex>(n_nodes, [&](const auto& take) {
     for (const FaceIndex f : indices(faces)) {
       const std::size_t n = faces[f].is_triangle() ? 3 : 4;
       for (std::size_t k = 0; k < n; ++k) take(faces[f].corners[k], f);
@@ -142,12 +142,12 @@ double thickness_behind(const Mesh& mesh, ElementSide side) {
   return solid_volume(mesh.coordinates(), mesh.element_nodes(side.element()), shape) / area;
 }
 
-std::uint32_t ContactMesh::find_node(NodeIndex node) const {
+ContactNodeIndex ContactMesh::find_node(NodeIndex node) const {
   const auto begin = mesh_nodes.begin(), end = begin + static_cast<std::ptrdiff_t>(n_mesh_points());
-  return static_cast<std::uint32_t>(std::lower_bound(begin, end, node.value) - begin);
+  return index_of(mesh_nodes, std::lower_bound(begin, end, node.value));
 }
 
-std::optional<SurfaceNodeIndex> ContactMesh::find_row(std::uint32_t node, SurfaceIndex surface) const {
+std::optional<SurfaceNodeIndex> ContactMesh::find_row(ContactNodeIndex node, SurfaceIndex surface) const {
   const auto begin = surface_nodes.begin() + first_node[surface.value].value;
   const auto end = surface_nodes.begin() + first_node[surface.value + 1].value;
   const auto found = std::ranges::lower_bound(begin, end, node, {}, &SurfaceNode::node);
@@ -162,9 +162,9 @@ std::size_t ContactMesh::bytes() const {
 }
 
 bool ContactMesh::share_node(const ContactFace& a, const ContactFace& b) const {
-  return std::ranges::any_of(a.corners, [&](std::uint32_t own) {
-    return std::ranges::any_of(b.corners,
-                               [&](std::uint32_t other) { return first_alike[own] == first_alike[other]; });
+  return std::ranges::any_of(a.corners, [&](ContactNodeIndex own) {
+    return std::ranges::any_of(
+        b.corners, [&](ContactNodeIndex other) { return first_alike[own] == first_alike[other]; });
   });
 }
 
@@ -176,7 +176,7 @@ ContactMesh make_contact_mesh(const ContactModel& contact, const Mesh& mesh,
   add_loft_points(contact, mesh, made);
   made.first_face.emplace_back();
   made.first_node.emplace_back();
-  const ContactNumbers numbers(mesh, std::span(made.mesh_nodes).first(made.n_mesh_points()));
+  const ContactNumbers numbers(mesh, made);
   SurfaceNodes nodes(numbers);
   const std::vector<double> radii = least_radii(contact, mesh);
   for (const SurfaceIndex s : indices(surfaces)) {
@@ -196,12 +196,12 @@ ContactMesh make_contact_mesh(const ContactModel& contact, const Mesh& mesh,
 void add_penalty_properties(const Model& model, ContactMesh& contact_mesh) {
   contact_mesh.mass.clear();
   contact_mesh.mass.reserve(contact_mesh.n_nodes());
-  for (std::size_t i = 0; i < contact_mesh.n_nodes(); ++i) {
+  for (const ContactNodeIndex i : contact_mesh.nodes()) {
     const auto node = static_cast<Eigen::Index>(contact_mesh.mesh_nodes[i]);
     double mass = model.mass(0, node);
     const bool turns = model.inertia.cols() > 0 && model.inertia(0, node) > minimum_nodal_mass;
-    if (i >= contact_mesh.n_mesh_points() && turns) {
-      const double arm = contact_mesh.loft.distance(i - contact_mesh.n_mesh_points());
+    if (!contact_mesh.is_mesh_point(i) && turns) {
+      const double arm = contact_mesh.loft.distance(i.value - contact_mesh.n_mesh_points());
       mass = 1.0 / (1.0 / mass + arm * arm / model.inertia(0, node));
     }
     contact_mesh.mass.push_back(mass);

@@ -36,8 +36,7 @@ inline constexpr double penalty_over_element = 10.0;
 /// One face of a contact surface, or a facet of one whose midside nodes move it: the facets of a face follow
 /// each other and have the same side.
 struct ContactFace {
-  std::array<std::uint32_t, 4>
-      corners{};  ///< contact nodes, outward right-hand order; a triangle repeats its last
+  std::array<ContactNodeIndex, 4> corners{};  ///< outward right-hand order; a triangle repeats its last
   SurfaceIndex surface;
   ElementSide side;
   float sharpness = 0.0f;  ///< see measure_sharpness [degrees]
@@ -48,7 +47,7 @@ struct ContactFace {
 
 /// A node of a contact surface that meets faces as a node.
 struct SurfaceNode {
-  std::uint32_t node = 0;  ///< contact node
+  ContactNodeIndex node;  ///< contact node
   SurfaceIndex surface;
   ElementSide side;     ///< a face that has it; side 1 of a line or particle
   float radius = 0.0f;  ///< of the sphere around a line's or particle's node [length]
@@ -70,7 +69,7 @@ struct ErodedNode {
 /// or truss's axis, or of a particle's one node; a sharp one stands between two faces. Where rods of unlike
 /// radii meet, each of them has the least of these there, and tapers towards it.
 struct ContactEdge {
-  std::array<std::uint32_t, 2> nodes{};  ///< contact nodes; of a particle the same twice
+  std::array<ContactNodeIndex, 2> nodes{};  ///< contact nodes; of a particle the same twice
   SurfaceIndex surface;
   ElementSide side;     ///< side 1 of the element; of a sharp edge that of its first face
   double radius = 0.0;  ///< 0 of sharp edges [length]
@@ -90,22 +89,22 @@ struct ContactEdge {
 /// mesh, ascending as there, then points of lofts, which hang on nodes of the mesh. Const between deaths of
 /// elements.
 struct ContactMesh {
-  std::vector<std::uint32_t> mesh_nodes;        ///< [n_contact_nodes] of the mesh; of lofts what they hang on
-  LoftPoints loft;                              ///< the last of the contact nodes
-  std::vector<std::uint32_t> first_alike;       ///< [n_contact_nodes] the first one with the same mesh node
+  IndexedVector<ContactNodeIndex, std::uint32_t> mesh_nodes;      ///< of the mesh; of lofts what they hang on
+  LoftPoints loft;                                                ///< the last of the contact nodes
+  IndexedVector<ContactNodeIndex, ContactNodeIndex> first_alike;  ///< the first one with the same mesh node
   IndexedVector<FaceIndex, ContactFace> faces;  ///< by surface, then as the surface has them, facet by facet
   IndexedVector<SurfaceNodeIndex, SurfaceNode> surface_nodes;  ///< by surface, then by node
   IndexedVector<EdgeIndex, ContactEdge> edges;                 ///< round ones by surface, then sharp ones
   std::vector<FaceIndex> first_face;                           ///< [n_surfaces + 1], see faces_of()
   std::vector<SurfaceNodeIndex> first_node;                    ///< [n_surfaces + 1], see rows_of()
-  std::vector<double> mass;                                    ///< [n_contact_nodes] [mass]
-  PairLists<std::uint32_t, FaceIndex>
-      faces_of_node;         ///< [n_contact_nodes] faces that have the node as a corner
-  SmoothFaces smooth_faces;  ///< that stand for round surfaces
+  IndexedVector<ContactNodeIndex, double> mass;                ///< [n_contact_nodes] [mass]
+  PairLists<ContactNodeIndex, FaceIndex> faces_of_node;        ///< that have the node as a corner
+  SmoothFaces smooth_faces;                                    ///< that stand for round surfaces
 
   std::size_t n_nodes() const { return mesh_nodes.size(); }
+  IndexRange<ContactNodeIndex> nodes() const { return indices(mesh_nodes); }
   /// Position of a node of the mesh that is in contact.
-  std::uint32_t find_node(NodeIndex node) const;
+  ContactNodeIndex find_node(NodeIndex node) const;
   std::size_t n_surfaces() const { return first_face.size() - 1; }
   IndexRange<SurfaceIndex> surfaces() const { return {{}, {static_cast<std::uint32_t>(n_surfaces())}}; }
   /// The faces of a surface, and its nodes.
@@ -116,10 +115,12 @@ struct ContactMesh {
     return {first_node[surface.value], first_node[surface.value + 1]};
   }
   /// A contact node as a node of a surface.
-  std::optional<SurfaceNodeIndex> find_row(std::uint32_t node, SurfaceIndex surface) const;
+  std::optional<SurfaceNodeIndex> find_row(ContactNodeIndex node, SurfaceIndex surface) const;
   /// Contact nodes that are nodes of the mesh; those of lofts follow.
   std::size_t n_mesh_points() const { return mesh_nodes.size() - loft.size(); }
-  bool is_lofted(const ContactFace& face) const { return face.corners[0] >= n_mesh_points(); }
+  /// Whether a contact node is one of the mesh, and whether a face is of a loft.
+  bool is_mesh_point(ContactNodeIndex node) const { return node.value < n_mesh_points(); }
+  bool is_lofted(const ContactFace& face) const { return !is_mesh_point(face.corners[0]); }
   /// The memory of its lists, without those of lofts [bytes].
   std::size_t bytes() const;
   /// Whether two faces hang on a common node of the mesh.

@@ -29,8 +29,8 @@ void match(std::span<const Key> before, std::span<const Key> after, AnIndex firs
 using FaceKey = std::tuple<int, ElementSide, std::array<std::uint32_t, 4>>;
 
 FaceKey key_of(const ContactMesh& contact_mesh, const ContactFace& face) {
-  constexpr int of_edges = 6;  // sides of a shell's brick; those of joints are greater
-  std::array<std::uint32_t, 4> nodes{};
+  constexpr int of_edges = 6;            // sides of a shell's brick; those of joints are greater
+  std::array<std::uint32_t, 4> nodes{};  // of the mesh
   const bool is_joint = contact_mesh.is_lofted(face) && face.side.side() > of_edges;
   for (std::size_t k = 0; is_joint && k < 4; ++k) nodes[k] = contact_mesh.mesh_nodes[face.corners[k]];
   return {is_joint ? 2 : contact_mesh.is_lofted(face) ? 1 : 0, face.side, nodes};
@@ -45,22 +45,22 @@ std::vector<FaceKey> face_keys(const ContactMesh& contact_mesh, SurfaceIndex sur
 
 /// Nodes of the mesh are the same by their numbers there, points of lofts by the faces that have them.
 void match_nodes(const ContactMesh& before, const ContactMesh& after, ContactRemap& remap) {
-  match<std::uint32_t>(std::span(before.mesh_nodes).first(before.n_mesh_points()),
-                       std::span(after.mesh_nodes).first(after.n_mesh_points()), std::uint32_t{0},
-                       remap.nodes);
+  match<std::uint32_t>(std::span<const std::uint32_t>(before.mesh_nodes).first(before.n_mesh_points()),
+                       std::span<const std::uint32_t>(after.mesh_nodes).first(after.n_mesh_points()),
+                       ContactNodeIndex{0}, remap.nodes);
   remap.nodes.resize(before.n_nodes());
   for (const FaceIndex f : indices(before.faces)) {
     if (!remap.faces[f] || !before.is_lofted(before.faces[f])) continue;
     const ContactFace& face = after.faces[*remap.faces[f]];
     for (std::size_t k = 0; k < 4; ++k) {
-      OptionalIndex<std::uint32_t>& position = remap.nodes[before.faces[f].corners[k]];
+      OptionalIndex<ContactNodeIndex>& position = remap.nodes[before.faces[f].corners[k]];
       if (!position) position = face.corners[k];
     }
   }
 }
 
 /// What tells a surface node from others: its surface, its node, whether it is a sphere.
-using RowKey = std::tuple<SurfaceIndex, std::uint32_t, bool>;
+using RowKey = std::tuple<SurfaceIndex, ContactNodeIndex, bool>;
 
 void match_rows(const ContactMesh& before, const ContactMesh& after, ContactRemap& remap) {
   std::map<RowKey, SurfaceNodeIndex> known;
@@ -70,7 +70,7 @@ void match_rows(const ContactMesh& before, const ContactMesh& after, ContactRema
   }
   for (const SurfaceNode& row : before.surface_nodes) {
     OptionalIndex<SurfaceNodeIndex>& position = remap.rows.emplace_back();
-    const OptionalIndex<std::uint32_t> node = remap.nodes[row.node];
+    const OptionalIndex<ContactNodeIndex> node = remap.nodes[row.node];
     if (!node) continue;
     const auto found = known.find({row.surface, *node, row.radius > 0.0f});
     if (found != known.end()) position = found->second;
@@ -78,7 +78,7 @@ void match_rows(const ContactMesh& before, const ContactMesh& after, ContactRema
 }
 
 /// What tells an edge from others: its surface, its nodes, its radius.
-using EdgeKey = std::tuple<SurfaceIndex, std::uint32_t, std::uint32_t, double>;
+using EdgeKey = std::tuple<SurfaceIndex, ContactNodeIndex, ContactNodeIndex, double>;
 
 void match_edges(const ContactMesh& before, const ContactMesh& after, ContactRemap& remap) {
   std::map<EdgeKey, EdgeIndex> known;
@@ -88,8 +88,8 @@ void match_edges(const ContactMesh& before, const ContactMesh& after, ContactRem
   }
   for (const ContactEdge& edge : before.edges) {
     OptionalIndex<EdgeIndex>& position = remap.edges.emplace_back();
-    const OptionalIndex<std::uint32_t> first = remap.nodes[edge.nodes[0]],
-                                       second = remap.nodes[edge.nodes[1]];
+    const OptionalIndex<ContactNodeIndex> first = remap.nodes[edge.nodes[0]],
+                                          second = remap.nodes[edge.nodes[1]];
     if (!first || !second) continue;
     const auto found = known.find({edge.surface, *first, *second, edge.radius});
     if (found != known.end()) position = found->second;

@@ -22,7 +22,7 @@ using NewPositions = IndexedVector<AnIndex, OptionalIndex<AnIndex>>;
 struct ContactRemap {
   NewPositions<FaceIndex> faces;
   NewPositions<SurfaceNodeIndex> rows;
-  std::vector<OptionalIndex<std::uint32_t>> nodes;
+  NewPositions<ContactNodeIndex> nodes;
   NewPositions<EdgeIndex> edges;
   std::size_t n_faces_after = 0, n_rows_after = 0, n_nodes_after = 0, n_edges_after = 0;
 };

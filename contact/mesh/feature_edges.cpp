@@ -42,7 +42,7 @@ const double blade_cosine = std::cos(blade_sharpness * std::numbers::pi / 180.0)
 
 /// An edge of a face, whichever way it runs.
 struct FaceEdge {
-  std::uint32_t low, high;
+  ContactNodeIndex low, high;
   FaceIndex face;
   auto operator<=>(const FaceEdge&) const = default;
 };
@@ -67,7 +67,7 @@ struct StartFace {
 
 StartFace start_of(const ContactKinematics& start, const ContactFace& face) {
   StartFace found{start.area(face).normalized(), Eigen::Vector3d::Zero()};
-  for (const std::uint32_t corner : face.corners) found.sum += start.x(corner);
+  for (const ContactNodeIndex corner : face.corners) found.sum += start.x(corner);
   return found;
 }
 
@@ -160,7 +160,7 @@ namespace {
 /// The mean normal of a surface at a node, of the faces by their angles there [1]. Source: Thuermer and
 /// Wuethrich, Journal of Graphics Tools 3 (1998) 43.
 Eigen::Vector3d mean_normal(const ContactKinematics& start, const IndexedVector<FaceIndex, StartFace>& faces,
-                            std::uint32_t node, SurfaceIndex surface) {
+                            ContactNodeIndex node, SurfaceIndex surface) {
   const ContactMesh& contact_mesh = start.contact_mesh();
   Eigen::Vector3d sum = Eigen::Vector3d::Zero();
   for (const FaceIndex i : contact_mesh.faces_of_node.of(node)) {
@@ -178,7 +178,7 @@ Eigen::Vector3d mean_normal(const ContactKinematics& start, const IndexedVector<
 /// The cosine of twice the angle between a face's normal and the mean one at a corner that sticks out; 1 at
 /// others.
 double cosine_at_spike(const ContactKinematics& start, const IndexedVector<FaceIndex, StartFace>& faces,
-                       FaceIndex index, std::uint32_t corner) {
+                       FaceIndex index, ContactNodeIndex corner) {
   const Eigen::Vector3d mean = mean_normal(start, faces, corner, start.contact_mesh().faces[index].surface);
   const bool sticks_out = mean.dot(0.25 * faces[index].sum - start.x(corner)) < 0.0;
   const double cosine = mean.dot(faces[index].normal);
@@ -189,7 +189,7 @@ double cosine_at_spike(const ContactKinematics& start, const IndexedVector<FaceI
 }  // namespace
 
 std::optional<FaceIndex> find_face_beyond(const ContactMesh& contact_mesh, FaceIndex face,
-                                          const std::array<std::uint32_t, 2>& edge) {
+                                          const std::array<ContactNodeIndex, 2>& edge) {
   for (const FaceIndex other : contact_mesh.faces_of_node.of(edge[0])) {
     const ContactFace& candidate = contact_mesh.faces[other];
     if (other == face || candidate.surface != contact_mesh.faces[face].surface) continue;

@@ -35,7 +35,7 @@ double sharpness_of(const ContactKinematics& start, FaceIndex face,
 
 /// The face of the same surface that shares an edge with a face, by contact nodes.
 std::optional<FaceIndex> find_face_beyond(const ContactMesh& contact_mesh, FaceIndex face,
-                                          const std::array<std::uint32_t, 2>& edge);
+                                          const std::array<ContactNodeIndex, 2>& edge);
 
 /// How two edges stand to each other at a point.
 struct EdgeGap {

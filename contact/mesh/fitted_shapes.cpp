@@ -45,7 +45,7 @@ std::vector<std::vector<FaceIndex>> smooth_parts(const ContactKinematics& start,
 
 SurfacePart part_of(const ContactKinematics& start, const std::vector<FaceIndex>& faces) {
   SurfacePart part;
-  std::set<std::uint32_t> nodes;
+  std::set<ContactNodeIndex> nodes;
   for (const FaceIndex index : faces) {
     const ContactFace& face = start.contact_mesh().faces[index];
     const std::size_t n = face.is_triangle() ? 3 : 4;
@@ -55,7 +55,7 @@ SurfacePart part_of(const ContactKinematics& start, const std::vector<FaceIndex>
     part.areas.push_back(start.area(face));
     nodes.insert(face.corners.begin(), face.corners.end());
   }
-  for (const std::uint32_t node : nodes) part.nodes.push_back(start.x(node));
+  for (const ContactNodeIndex node : nodes) part.nodes.push_back(start.x(node));
   return part;
 }
 

@@ -5,7 +5,6 @@
 #include <limits>
 #include <map>
 #include <numbers>
-#include <numeric>
 
 #include "contact/mesh/contact_model.hpp"
 
@@ -17,15 +16,15 @@ namespace {
 void add_bricks(const ContactModel& contact, SurfaceIndex position, ContactMesh& made) {
   const LoftGeometry& loft = contact.loft;
   const auto first = static_cast<std::uint32_t>(made.n_mesh_points());
-  std::map<std::uint32_t, SurfaceNode> nodes;
+  std::map<ContactNodeIndex, SurfaceNode> nodes;
   for (std::size_t i = 0; i < loft.facets.size(); ++i) {
     const LoftFacet& facet = loft.facets[i];
     if (facet.part == LoftPart::prism || contact.surface_of_facet[i] != position) continue;
     ContactFace face;
-    for (std::size_t k = 0; k < 4; ++k) face.corners[k] = first + *made.loft.of_vertex(facet.vertices[k]);
+    for (std::size_t k = 0; k < 4; ++k) face.corners[k] = {first + *made.loft.of_vertex(facet.vertices[k])};
     face.surface = position;
     face.side = ElementSide(facet.element, facet.side);
-    face.penalty_properties.thickness = made.loft.thickness(face.corners[0] - first);
+    face.penalty_properties.thickness = made.loft.thickness(face.corners[0].value - first);
     const std::size_t n = face.is_triangle() ? 3 : 4;
     for (std::size_t k = 0; k < n; ++k) {
       SurfaceNode& node = nodes[face.corners[k]];
@@ -33,7 +32,7 @@ void add_bricks(const ContactModel& contact, SurfaceIndex position, ContactMesh&
       node.node = face.corners[k];
       node.surface = position;
       node.side = face.side;
-      node.penalty_properties.thickness = made.loft.thickness(face.corners[k] - first);
+      node.penalty_properties.thickness = made.loft.thickness(face.corners[k].value - first);
     }
     made.faces.push_back(face);
   }
@@ -44,7 +43,7 @@ void add_bricks(const ContactModel& contact, SurfaceIndex position, ContactMesh&
 ///   radii  [n_nodes] of the mesh's nodes
 void add_capsules(const ContactModel& contact, const Mesh& mesh, SurfaceIndex position,
                   std::span<const double> radii, ContactMesh& made) {
-  std::map<std::uint32_t, SurfaceNode> nodes;
+  std::map<ContactNodeIndex, SurfaceNode> nodes;
   for (std::size_t i = 0; i < contact.loft.capsules.size(); ++i) {
     if (contact.surface_of_capsule[i] != position) continue;
     const LoftCapsule& rod = contact.loft.capsules[i];
@@ -100,17 +99,16 @@ void add_spheres(const ContactModel& contact, SurfaceIndex position, ContactMesh
 void add_loft_points(const ContactModel& contact, const Mesh& mesh, ContactMesh& made) {
   const auto n_mesh_points = static_cast<std::uint32_t>(made.n_nodes());
   made.first_alike.resize(n_mesh_points);
-  std::iota(made.first_alike.begin(), made.first_alike.end(), 0u);
+  std::ranges::copy(made.nodes(), made.first_alike.begin());
   made.loft = LoftPoints(contact.loft, mesh);
-  std::map<std::uint32_t, std::uint32_t> first_on_node;
+  std::map<std::uint32_t, ContactNodeIndex> first_on_node;
   for (std::uint32_t i = 0; i < made.loft.size(); ++i) {
     const std::uint32_t node = made.loft.node(i);
     const auto own = made.mesh_nodes.begin() + n_mesh_points;
     const auto found = std::lower_bound(made.mesh_nodes.begin(), own, node);
     const bool is_mesh_point = found != own && *found == node;
     const auto alike = first_on_node.try_emplace(
-        node,
-        is_mesh_point ? static_cast<std::uint32_t>(found - made.mesh_nodes.begin()) : n_mesh_points + i);
+        node, is_mesh_point ? index_of(made.mesh_nodes, found) : ContactNodeIndex{n_mesh_points + i});
     made.first_alike.push_back(alike.first->second);
     made.mesh_nodes.push_back(node);
   }

@@ -39,9 +39,9 @@ double share_of(const Mesh& mesh, const ErodedNode& free) {
 
 }  // namespace
 
-ContactNumbers::ContactNumbers(const Mesh& mesh, std::span<const std::uint32_t> mesh_nodes)
-    : mesh_(mesh), n_nodes_(mesh_nodes.size()), numbers_(mesh.n_nodes()) {
-  for (std::uint32_t i = 0; i < mesh_nodes.size(); ++i) numbers_[mesh_nodes[i]] = i;
+ContactNumbers::ContactNumbers(const Mesh& mesh, const ContactMesh& made)
+    : mesh_(mesh), n_nodes_(made.n_mesh_points()), numbers_(mesh.n_nodes()) {
+  for (std::uint32_t i = 0; i < n_nodes_; ++i) numbers_[made.mesh_nodes[{i}]] = {i};
 }
 
 /// Adds to the nodes of sides that are wanted their shares of area and of thickness times area.
@@ -60,28 +60,26 @@ void SurfaceNodes::add_shares(std::span<const ElementSide> sides, const IsWanted
 }
 
 /// Sets what the corners of faces stand for. Returns them, ascending.
-std::vector<std::uint32_t> SurfaceNodes::take_faces(std::span<const ContactFace> faces,
-                                                    std::span<const std::uint32_t> mesh_nodes) {
-  constexpr std::uint32_t not_taken = ~0u;
+std::vector<ContactNodeIndex> SurfaceNodes::take_faces(
+    std::span<const ContactFace> faces, IndexedSpan<ContactNodeIndex, const std::uint32_t> mesh_nodes) {
   for (const ContactFace& face : faces) {
-    for (const std::uint32_t corner : face.corners) {
-      of_node_[corner] = {};
-      of_node_[corner].node = not_taken;
-    }
+    for (const ContactNodeIndex corner : face.corners) of_node_[corner] = {};
   }
-  std::vector<std::uint32_t> nodes;
+  std::vector<ContactNodeIndex> nodes;
   for (const ContactFace& face : faces) {
     FacetNodes corners;
     for (std::size_t k = 0; k < 4; ++k) corners[k] = {mesh_nodes[face.corners[k]]};
     const double share = corner_share(numbers_.mesh(), corners);
     for (std::size_t k = 0; k < n_corners(corners); ++k) {
       SurfaceNode& node = of_node_[face.corners[k]];
-      if (node.node == not_taken) nodes.push_back(face.corners[k]);
+      if (node.area == 0.0) nodes.push_back(face.corners[k]);
       node.node = face.corners[k];
       add_share(share, face.penalty_properties.thickness, face.side, node);
     }
   }
   std::ranges::sort(nodes);
+  nodes.erase(std::unique(nodes.begin(), nodes.end()),
+              nodes.end());  // those of faces without area came again
   return nodes;
 }
 
@@ -102,7 +100,7 @@ void SurfaceNodes::add_elements(std::span<const std::uint8_t> is_in) {
 
 /// The same of the nodes of a set: by the faces of the mesh's outside whose corners are all in the set; a
 /// node that has no such face by all outside faces that it has.
-std::vector<std::uint32_t> SurfaceNodes::take_set(std::span<const NodeIndex> nodes) {
+std::vector<ContactNodeIndex> SurfaceNodes::take_set(std::span<const NodeIndex> nodes) {
   const Mesh& mesh = numbers_.mesh();
   const Skin skin = make_skin(mesh, std::vector<std::uint8_t>(mesh.n_elements(), 1));
   std::vector<std::uint8_t> is_in(mesh.n_nodes(), 0);
@@ -125,7 +123,7 @@ std::vector<std::uint32_t> SurfaceNodes::take_set(std::span<const NodeIndex> nod
   add_shares(skin.exterior, is_wanted);
   drop_found();
   add_elements(is_in);
-  std::vector<std::uint32_t> taken;
+  std::vector<ContactNodeIndex> taken;
   for (const NodeIndex node : nodes) taken.push_back(numbers_[node]);
   return taken;
 }
@@ -136,7 +134,7 @@ void SurfaceNodes::add(const ContactSurface& surface, SurfaceIndex position, Con
           ? take_set(surface.nodes)
           : take_faces(std::span<const ContactFace>(made.faces).subspan(made.first_face.back().value),
                        made.mesh_nodes);
-  for (const std::uint32_t node : nodes) {
+  for (const ContactNodeIndex node : nodes) {
     SurfaceNode own = of_node_[node];
     if (own.area > 0.0) {
       own.penalty_properties.thickness /= own.area;

@@ -13,18 +13,18 @@ namespace contactsim {
 /// The contact nodes of a mesh's nodes. The mesh must outlive it.
 class ContactNumbers {
  public:
-  ///   mesh_nodes  of the contact nodes
-  ContactNumbers(const Mesh& mesh, std::span<const std::uint32_t> mesh_nodes);
+  ///   made  has its nodes
+  ContactNumbers(const Mesh& mesh, const ContactMesh& made);
 
   const Mesh& mesh() const { return mesh_; }
   std::size_t n_nodes() const { return n_nodes_; }
   /// Precondition: the node is in contact.
-  std::uint32_t operator[](NodeIndex node) const { return numbers_[node.value]; }
+  ContactNodeIndex operator[](NodeIndex node) const { return numbers_[node.value]; }
 
  private:
   const Mesh& mesh_;
   std::size_t n_nodes_;
-  std::vector<std::uint32_t> numbers_;  ///< [n_nodes of the mesh]
+  std::vector<ContactNodeIndex> numbers_;  ///< [n_nodes of the mesh]
 };
 
 /// Makes the nodes of contact surfaces, with what each stands for of area and of thickness behind it.
@@ -45,13 +45,13 @@ class SurfaceNodes {
  private:
   template <class IsWanted>
   void add_shares(std::span<const ElementSide> sides, const IsWanted& is_wanted);
-  std::vector<std::uint32_t> take_faces(std::span<const ContactFace> faces,
-                                        std::span<const std::uint32_t> mesh_nodes);
-  std::vector<std::uint32_t> take_set(std::span<const NodeIndex> nodes);
+  std::vector<ContactNodeIndex> take_faces(std::span<const ContactFace> faces,
+                                           IndexedSpan<ContactNodeIndex, const std::uint32_t> mesh_nodes);
+  std::vector<ContactNodeIndex> take_set(std::span<const NodeIndex> nodes);
   void add_elements(std::span<const std::uint8_t> is_in);
 
   const ContactNumbers& numbers_;
-  std::vector<SurfaceNode> of_node_;  ///< scratch [n_contact_nodes]
+  IndexedVector<ContactNodeIndex, SurfaceNode> of_node_;  ///< scratch [n_contact_nodes]
 };
 
 }  // namespace contactsim

@@ -18,7 +18,7 @@ Eigen::Vector3d doubled_area(const ContactFace& face, const Position& x) {
 /// The normal of the faces at a node [1]; where faces on both sides cancel, that of the first of them; zero
 /// without any area.
 template <class Position>
-Eigen::Vector3d normal_at(const ContactMesh& contact_mesh, std::uint32_t node, const Position& x) {
+Eigen::Vector3d normal_at(const ContactMesh& contact_mesh, ContactNodeIndex node, const Position& x) {
   constexpr double cancelled = 1e-6;  // of the sum of the squares
   const auto faces = contact_mesh.faces_of_node.of(node);
   Eigen::Vector3d sum = Eigen::Vector3d::Zero();
@@ -46,30 +46,31 @@ Eigen::Matrix3d axes_about(const Eigen::Vector3d& normal) {
 
 SurfaceTurns::SurfaceTurns(const ContactKinematics& start) : contact_mesh_(&start.contact_mesh()) {
   start_.resize(3, static_cast<Eigen::Index>(contact_mesh_->n_nodes()));
-  for (std::uint32_t i = 0; i < contact_mesh_->n_nodes(); ++i) start_.col(i) = start.x(i);
+  for (const ContactNodeIndex i : contact_mesh_->nodes()) start_.col(i.value) = start.x(i);
   start_normals_.setZero(3, start_.cols());
-  const auto x = [&](std::uint32_t i) { return Eigen::Vector3d(start_.col(i)); };
-  for (std::uint32_t i = 0; i < contact_mesh_->n_nodes(); ++i) {
-    if (has_faces(i)) start_normals_.col(i) = normal_at(*contact_mesh_, i, x);
+  const auto x = [&](ContactNodeIndex i) { return Eigen::Vector3d(start_.col(i.value)); };
+  for (const ContactNodeIndex i : contact_mesh_->nodes()) {
+    if (has_faces(i)) start_normals_.col(i.value) = normal_at(*contact_mesh_, i, x);
   }
 }
 
-bool SurfaceTurns::has_faces(std::uint32_t node) const {
+bool SurfaceTurns::has_faces(ContactNodeIndex node) const {
   return contact_mesh_ != nullptr && !contact_mesh_->faces_of_node.of(node).empty();
 }
 
-Eigen::Matrix3d SurfaceTurns::turn(const ContactKinematics& now, std::uint32_t node) const {
+Eigen::Matrix3d SurfaceTurns::turn(const ContactKinematics& now, ContactNodeIndex node) const {
   if (!has_faces(node)) return Eigen::Matrix3d::Identity();
-  const auto x_now = [&](std::uint32_t i) { return Eigen::Vector3d(now.x(i)); };
-  const Eigen::Matrix3d from = axes_about(start_normals_.col(node)),
+  const auto x_now = [&](ContactNodeIndex i) { return Eigen::Vector3d(now.x(i)); };
+  const Eigen::Matrix3d from = axes_about(start_normals_.col(node.value)),
                         to = axes_about(normal_at(*contact_mesh_, node, x_now));
-  const Eigen::Vector3d centre_start = start_.col(node), centre_now = x_now(node);
+  const Eigen::Vector3d centre_start = start_.col(node.value), centre_now = x_now(node);
   // The angle that maximizes the sum of w_start . R w_now over the ways w along the surface.
   double along = 0.0, across = 0.0;
   for (const FaceIndex face : contact_mesh_->faces_of_node.of(node)) {
-    for (const std::uint32_t corner : contact_mesh_->faces[face].corners) {
+    for (const ContactNodeIndex corner : contact_mesh_->faces[face].corners) {
       if (corner == node) continue;
-      const Eigen::Vector2d before = from.leftCols<2>().transpose() * (start_.col(corner) - centre_start),
+      const Eigen::Vector2d before =
+                                from.leftCols<2>().transpose() * (start_.col(corner.value) - centre_start),
                             after = to.leftCols<2>().transpose() * (x_now(corner) - centre_now);
       along += before.dot(after);
       across += before.x() * after.y() - before.y() * after.x();

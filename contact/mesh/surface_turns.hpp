@@ -15,13 +15,13 @@ class SurfaceTurns {
   explicit SurfaceTurns(const ContactKinematics& start);
 
   /// Whether a node has faces that tell its turn.
-  bool has_faces(std::uint32_t node) const;
+  bool has_faces(ContactNodeIndex node) const;
   /// The rotation of the surface about a node [3 x 3] [1]: from the normal of its faces at the start to that
   /// of now, and about it by the angle that fits the ways to the other corners best. The identity for nodes
   /// without faces.
   ///   now  of the same faces as the start
   /// Source: Kabsch (1976), in the plane of the surface.
-  Eigen::Matrix3d turn(const ContactKinematics& now, std::uint32_t node) const;
+  Eigen::Matrix3d turn(const ContactKinematics& now, ContactNodeIndex node) const;
 
  private:
   Eigen::Matrix3Xd start_;                     // [3 x n_contact_nodes] [length]

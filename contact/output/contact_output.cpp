@@ -83,7 +83,7 @@ void ContactOutput::begin() {
   rest_status_ = find_rest_status(contact_, *model_.mesh);
   contact_node_.assign(model_.mesh->n_nodes(), std::nullopt);
   const ContactMesh& contact_mesh = force_.contact_mesh();
-  for (std::uint32_t i = 0; i < contact_mesh.n_nodes(); ++i)
+  for (const ContactNodeIndex i : contact_mesh.nodes())
     contact_node_[contact_mesh.mesh_nodes[i]] = contact_mesh.first_alike[i];
   nodes_.resize(contact_mesh.n_nodes());
 }
@@ -102,7 +102,7 @@ std::vector<OutputVariable> ContactOutput::variables() {
         const std::size_t node = range.first + i;
         NodeContact at_rest;
         at_rest.status = rest_status_[node];
-        const OptionalIndex<std::uint32_t> own = contact_node_[node];
+        const OptionalIndex<ContactNodeIndex> own = contact_node_[node];
         row.fill(own ? nodes_[*own] : at_rest, values.data() + i * size);
       }
     };
@@ -202,10 +202,10 @@ void ContactOutput::evaluate(const State& state) {
     node = {};
     node.status = 0.5;
   }
-  for (std::size_t i = 0; i < friction.size(); ++i) {
+  for (const ContactNodeIndex i : indices(friction)) {
     NodeContact& node = nodes_[first_alike[i]];
     NodeFriction point = friction[i];
-    point.slip = force_.node_slip(static_cast<std::uint32_t>(i));
+    point.slip = force_.node_slip(i);
     add(point, node.friction);
     if (!(state.dt > 0.0)) continue;
     node.slip_rate = node.friction.last_slip.norm() / state.dt;
@@ -236,10 +236,10 @@ void ContactOutput::evaluate_gaps(const State& state) {
   const std::lock_guard guard(lock_);
   if (state.step == gaps_step_) return;
   gaps_step_ = state.step;
-  const std::vector<double> gaps = force_.node_gaps(motion_of(state));
+  const IndexedVector<ContactNodeIndex, double> gaps = force_.node_gaps(motion_of(state));
   const auto& first_alike = force_.contact_mesh().first_alike;
-  std::vector<std::uint8_t> is_known(nodes_.size(), 0);
-  for (std::size_t i = 0; i < gaps.size(); ++i) {
+  IndexedVector<ContactNodeIndex, std::uint8_t> is_known(nodes_.size(), 0);
+  for (const ContactNodeIndex i : indices(gaps)) {
     NodeContact& node = nodes_[first_alike[i]];
     if (node.status == 1.0) continue;
     std::uint8_t& known = is_known[first_alike[i]];

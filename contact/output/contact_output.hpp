@@ -121,10 +121,10 @@ class ContactOutput {
   const ContactModel& contact_;
   const Model& model_;
   std::mutex lock_;
-  std::int64_t step_ = -1, gaps_step_ = -1;                 // of what is known, and of gaps
-  std::vector<double> rest_status_;                         // [n_nodes] of nodes that touch nothing
-  std::vector<OptionalIndex<std::uint32_t>> contact_node_;  // [n_nodes] position among the contact nodes
-  std::vector<NodeContact> nodes_;                          // [n_contact_nodes]
+  std::int64_t step_ = -1, gaps_step_ = -1;                    // of what is known, and of gaps
+  std::vector<double> rest_status_;                            // [n_nodes] of nodes that touch nothing
+  std::vector<OptionalIndex<ContactNodeIndex>> contact_node_;  // [n_nodes] position among the contact nodes
+  IndexedVector<ContactNodeIndex, NodeContact> nodes_;         // [n_contact_nodes]
   IndexedVector<SurfaceIndex, ContactTotal> surfaces_;
   IndexedVector<PairIndex, ContactTotal> pairs_;
 

@@ -73,7 +73,7 @@ void ContactOutput::add_tie(const InterfaceConstraint& tie, const CornerForces& 
 }
 
 double ContactOutput::tie_share(const InterfaceConstraint& tie, bool is_first) {
-  std::array<std::uint32_t, 4> nodes;
+  std::array<ContactNodeIndex, 4> nodes;
   std::copy_n(tie.nodes.begin() + (is_first ? 0 : 4), 4, nodes.begin());
   std::sort(nodes.begin(), nodes.end());
   return 1.0 / static_cast<double>(std::unique(nodes.begin(), nodes.end()) - nodes.begin());

@@ -124,9 +124,9 @@ class SurfaceDrawing {
 
   void draw_edges() {
     const auto n_mesh_points = static_cast<std::uint32_t>(contact_mesh_.n_mesh_points());
-    const auto point_of_contact_node = [&](std::uint32_t node) {
-      return node < n_mesh_points ? point_of({contact_mesh_.mesh_nodes[node]})
-                                  : drawn_loft_points_[node - n_mesh_points];
+    const auto point_of_contact_node = [&](ContactNodeIndex node) {
+      return node.value < n_mesh_points ? point_of({contact_mesh_.mesh_nodes[node]})
+                                        : drawn_loft_points_[node.value - n_mesh_points];
     };
     for (const SurfaceIndex i : indices(model_.surfaces.surfaces)) {
       FacetBlock block{find_free_name(model_.surfaces.surfaces[i].name + "_edges"), {}, {}, {}};

@@ -45,7 +45,7 @@ class BodyParting {
   }
 
  private:
-  std::uint32_t body_of(std::uint32_t point) const {
+  std::uint32_t body_of(ContactNodeIndex point) const {
     return deep_.bodies()[parts_.contact_mesh.mesh_nodes[point]];
   }
 

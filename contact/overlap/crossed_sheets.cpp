@@ -63,8 +63,8 @@ bool goes_through(const std::array<Eigen::Vector3d, 2>& point,
 }
 
 std::vector<SheetCrossing> find_crossed_sheets(const ContactMesh& contact_mesh, const PairRules& rules,
-                                               std::span<const Eigen::Vector3d> before,
-                                               std::span<const Eigen::Vector3d> now) {
+                                               IndexedSpan<ContactNodeIndex, const Eigen::Vector3d> before,
+                                               IndexedSpan<ContactNodeIndex, const Eigen::Vector3d> now) {
   std::vector<FaceIndex> sheets;
   for (const FaceIndex i : indices(contact_mesh.faces)) {
     const ContactFace& face = contact_mesh.faces[i];
@@ -72,17 +72,17 @@ std::vector<SheetCrossing> find_crossed_sheets(const ContactMesh& contact_mesh, 
     if (contact_mesh.is_lofted(face)) sheets.push_back(i);
   }
   if (sheets.empty()) return {};
-  const auto way = [&](std::uint32_t node) { return Way{before[node], now[node]}; };
+  const auto way = [&](ContactNodeIndex node) { return Way{before[node], now[node]}; };
   BroadPhase rows, faces;
   const auto unsound_rows = rows.update(indices(contact_mesh.surface_nodes), [&](SurfaceNodeIndex row) {
-    const std::uint32_t node = contact_mesh.surface_nodes[row].node;
+    const ContactNodeIndex node = contact_mesh.surface_nodes[row].node;
     Box box = empty_box();
     for (const Eigen::Vector3d& x : way(node)) add_point(x, box);
     return box;
   });
   const auto unsound_faces = faces.update(static_cast<std::uint32_t>(sheets.size()), [&](std::uint32_t i) {
     Box box = empty_box();
-    for (const std::uint32_t corner : contact_mesh.faces[sheets[i]].corners) {
+    for (const ContactNodeIndex corner : contact_mesh.faces[sheets[i]].corners) {
       for (const Eigen::Vector3d& x : way(corner)) add_point(x, box);
     }
     return box;
@@ -92,7 +92,7 @@ std::vector<SheetCrossing> find_crossed_sheets(const ContactMesh& contact_mesh, 
     const SurfaceNode& node = contact_mesh.surface_nodes[row];
     const ContactFace& face = contact_mesh.faces[sheets[i]];
     if (!rules.find(node.surface, face.surface)) return false;
-    const auto hangs_on = [&](std::uint32_t corner) {
+    const auto hangs_on = [&](ContactNodeIndex corner) {
       return contact_mesh.mesh_nodes[corner] == contact_mesh.mesh_nodes[node.node];
     };
     if (std::ranges::any_of(face.corners, hangs_on)) return false;

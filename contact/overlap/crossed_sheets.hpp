@@ -26,8 +26,8 @@ struct SheetCrossing {
 /// Source: R. Bridson, R. Fedkiw, J. Anderson: Robust treatment of collisions, contact and friction for cloth
 /// animation, ACM Trans. Graph. 21 (2002), section 6.
 std::vector<SheetCrossing> find_crossed_sheets(const ContactMesh& contact_mesh, const PairRules& rules,
-                                               std::span<const Eigen::Vector3d> before,
-                                               std::span<const Eigen::Vector3d> now);
+                                               IndexedSpan<ContactNodeIndex, const Eigen::Vector3d> before,
+                                               IndexedSpan<ContactNodeIndex, const Eigen::Vector3d> now);
 
 /// Whether a point goes through a triangle while all four go straight ahead at constant speed, and is on the
 /// other side of its plane at the end.

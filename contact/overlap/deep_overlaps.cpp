@@ -55,12 +55,12 @@ void DeepOverlaps::find_lofts() {
     if (!contact_mesh().is_lofted(face) || face.side.side() != 2) continue;
     const auto top = tops.find(face.side.element().value);
     if (top == tops.end()) continue;
-    std::array<std::uint32_t, 8> corners{};
+    std::array<ContactNodeIndex, 8> corners{};
     for (std::size_t k = 0; k < 4; ++k) {
       corners[k] = top->second->corners[k];
       corners[k + 4] =
           *std::ranges::find(face.corners, contact_mesh().mesh_nodes[corners[k]],
-                             [&](std::uint32_t point) { return contact_mesh().mesh_nodes[point]; });
+                             [&](ContactNodeIndex point) { return contact_mesh().mesh_nodes[point]; });
     }
     lofts_.push_back({corners, face.side.element()});
     tops.erase(top);
@@ -150,7 +150,7 @@ std::vector<DeepOverlaps::Inside> DeepOverlaps::find_inside(const Eigen::Matrix3
   };
   for (std::uint32_t i = 0; i < mesh_.n_nodes(); ++i) extend(i, coordinates.col(i));
   for (const Loft& loft : lofts_) {
-    for (const std::uint32_t point : loft.corners)
+    for (const ContactNodeIndex point : loft.corners)
       extend(contact_mesh().mesh_nodes[point], kinematics.x(point));
   }
   BroadPhase rows, around, inner;

@@ -92,7 +92,7 @@ class DeepOverlaps {
       number_of_body_;  // [n_nodes] by first node: position in thick_bodies_
   /// Of each lofted shell, first the corners of the top, then below each of them that of the bottom.
   struct Loft {
-    std::array<std::uint32_t, 8> corners;
+    std::array<ContactNodeIndex, 8> corners;
     ElementIndex element;
   };
   std::vector<Loft> lofts_;

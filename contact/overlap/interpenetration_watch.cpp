@@ -24,8 +24,8 @@ Eigen::Vector3d mean(std::span<const Eigen::Vector3d> points) {
   return sum / static_cast<double>(std::max<std::size_t>(points.size(), 1));
 }
 
-std::vector<Eigen::Vector3d> places_of(const ContactMoment& moment) {
-  std::vector<Eigen::Vector3d> places;
+IndexedVector<ContactNodeIndex, Eigen::Vector3d> places_of(const ContactMoment& moment) {
+  IndexedVector<ContactNodeIndex, Eigen::Vector3d> places;
   places.reserve(moment.kinematics.contact_mesh().n_nodes());
   for (const std::uint32_t node : moment.kinematics.contact_mesh().mesh_nodes)
     places.emplace_back(moment.coordinates.col(node));
@@ -35,7 +35,7 @@ std::vector<Eigen::Vector3d> places_of(const ContactMoment& moment) {
 }  // namespace
 
 bool InterpenetrationWatch::has_moved_far(const ContactMoment& moment) const {
-  const std::vector<Eigen::Vector3d> now = places_of(moment);
+  const IndexedVector<ContactNodeIndex, Eigen::Vector3d> now = places_of(moment);
   const Eigen::Vector3d way = mean(now) - mean(before_);
   const ContactMesh& contact_mesh = moment.kinematics.contact_mesh();
   const auto thickness = [](const SurfaceNode& node) {
@@ -62,7 +62,7 @@ void InterpenetrationWatch::step(const ContactMoment& moment, int n_steps) {
 
 void InterpenetrationWatch::look(const ContactMoment& moment) {
   find_deep(moment);
-  std::vector<Eigen::Vector3d> now = places_of(moment);
+  IndexedVector<ContactNodeIndex, Eigen::Vector3d> now = places_of(moment);
   if (!before_.empty()) {
     for (const SheetCrossing& crossing :
          find_crossed_sheets(moment.kinematics.contact_mesh(), moment.rules, before_, now)) {

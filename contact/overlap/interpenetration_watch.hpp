@@ -67,8 +67,9 @@ class InterpenetrationWatch {
   const ContactModel& model_;
   const Mesh& mesh_;
   IndexedVector<PairIndex, Interpenetration> of_pair_;
-  std::vector<Eigen::Vector3d> before_;  // [n_contact_nodes] mesh nodes of contact nodes, at the last look
-  int n_since_ = 0;                      // steps since then
+  IndexedVector<ContactNodeIndex, Eigen::Vector3d>
+      before_;       // [n_contact_nodes] mesh nodes of contact nodes, at the last look
+  int n_since_ = 0;  // steps since then
 };
 
 }  // namespace contactsim

@@ -34,7 +34,7 @@ ContactPointSide side_of(const SurfaceNode& node) {
   return side;
 }
 
-using EdgeNodes = std::array<std::uint32_t, 2>;
+using EdgeNodes = std::array<ContactNodeIndex, 2>;
 
 ContactPointSide side_of(const EdgeNodes& edge, double share) {
   return {{edge[0], edge[1], edge[1], edge[1]}, {1.0 - share, share, 0.0, 0.0}};

@@ -36,7 +36,7 @@ struct OverlapParts {
   IndexedVector<SurfaceNodeIndex, OverlapNode> of_node;
 
   bool is_lofted(const SurfaceNode& node) const {
-    return node.radius > 0.0f || node.node >= contact_mesh.n_mesh_points();
+    return node.radius > 0.0f || !contact_mesh.is_mesh_point(node.node);
   }
 };
 

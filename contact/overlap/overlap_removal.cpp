@@ -101,7 +101,7 @@ void OverlapRemover::part_bodies() {
 bool OverlapRemover::may_go(PairIndex index, const Overlap& overlap) const {
   const SurfacePair& pair = model_.pairs[index];
   if (!pair.closes_gaps()) return true;
-  const std::uint32_t node = overlap.first.nodes[0];
+  const ContactNodeIndex node = overlap.first.nodes[0];
   if (pair.adjusted_node_set) {
     const auto& nodes = mesh_.node_sets()[*pair.adjusted_node_set].nodes;
     return std::ranges::find(nodes, NodeIndex{parts_.contact_mesh.mesh_nodes[node]}) != nodes.end();

@@ -73,12 +73,12 @@ void OverlapSearch::renew_lofts(const ContactKinematics& kinematics) {
 
 void OverlapSearch::note_positions(const ContactKinematics& kinematics) {
   searched_at_.resize(3, static_cast<Eigen::Index>(parts_.contact_mesh.n_nodes()));
-  for (std::uint32_t i = 0; i < parts_.contact_mesh.n_nodes(); ++i) searched_at_.col(i) = kinematics.x(i);
+  for (const ContactNodeIndex i : parts_.contact_mesh.nodes()) searched_at_.col(i.value) = kinematics.x(i);
 }
 
 bool OverlapSearch::is_due(const ContactKinematics& kinematics) const {
-  for (std::uint32_t i = 0; i < parts_.contact_mesh.n_nodes(); ++i) {
-    if ((kinematics.x(i) - searched_at_.col(i)).norm() > spare_) return true;
+  for (const ContactNodeIndex i : parts_.contact_mesh.nodes()) {
+    if ((kinematics.x(i) - searched_at_.col(i.value)).norm() > spare_) return true;
   }
   return false;
 }

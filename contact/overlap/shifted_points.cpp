@@ -8,11 +8,11 @@ ShiftedPoints::ShiftedPoints(const ContactMesh& contact_mesh, const Mesh& mesh)
   renew();
 }
 
-Eigen::Vector3d ShiftedPoints::at(std::uint32_t point) const {
+Eigen::Vector3d ShiftedPoints::at(ContactNodeIndex point) const {
   const Eigen::Vector3d node = coordinates_.col(contact_mesh_.mesh_nodes[point]);
   const std::size_t first = contact_mesh_.n_mesh_points();
-  if (point < first) return node;
-  return node + renewed_.offsets().col(static_cast<Eigen::Index>(point - first));
+  if (point.value < first) return node;
+  return node + renewed_.offsets().col(static_cast<Eigen::Index>(point.value - first));
 }
 
 FaceCorners ShiftedPoints::corners(const ContactFace& face) const {

@@ -16,13 +16,13 @@ class ShiftedPoints {
   ShiftedPoints& operator=(const ShiftedPoints&) = delete;
 
   /// Where a contact node is [length].
-  Eigen::Vector3d at(std::uint32_t point) const;
+  Eigen::Vector3d at(ContactNodeIndex point) const;
   FaceCorners corners(const ContactFace& face) const;
   /// How far a side has gone since the last renewal [length].
   Eigen::Vector3d way_of(const ContactPointSide& side) const;
 
   /// Moves the mesh node of a contact node.
-  void shift(std::uint32_t point, const Eigen::Vector3d& step) {
+  void shift(ContactNodeIndex point, const Eigen::Vector3d& step) {
     coordinates_.col(contact_mesh_.mesh_nodes[point]) += step;
   }
   void shift(NodeIndex node, const Eigen::Vector3d& step) { coordinates_.col(node.value) += step; }

@@ -17,7 +17,7 @@ constexpr double held_share = 0.3;
 
 }  // namespace
 
-bool SideMover::is_held(std::uint32_t point) const {
+bool SideMover::is_held(ContactNodeIndex point) const {
   return !is_held_.empty() && is_held_[contact_mesh_.mesh_nodes[point]] == held_fully;
 }
 
@@ -38,7 +38,7 @@ double SideMover::share_of_first(PairIndex pair, const Overlap& overlap) const {
   const bool is_face = overlap.second.weights != Eigen::Vector4d::Zero();
   const bool has_two_sides = model_.surfaces.surfaces[model_.pairs[pair].second].kind == SurfaceKind::face;
   const bool is_all_held =
-      std::ranges::all_of(overlap.second.nodes, [this](std::uint32_t node) { return is_held(node); });
+      std::ranges::all_of(overlap.second.nodes, [this](ContactNodeIndex node) { return is_held(node); });
   const bool goes_alone = model_.pairs[pair].closes_gaps() && model_.pairs[pair].side_b;
   return overlap.mover == OverlapMover::first && !goes_alone && is_face && has_two_sides && !is_all_held
              ? 0.5

@@ -42,7 +42,7 @@ class SideMover {
   /// The sum of the squares of the free nodes' weights [1].
   double mobility(const ContactPointSide& side) const;
   bool can_move(const ContactPointSide& side) const;
-  bool is_held(std::uint32_t point) const;
+  bool is_held(ContactNodeIndex point) const;
 
   const ContactModel& model_;
   const ContactMesh& contact_mesh_;

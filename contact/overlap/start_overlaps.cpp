@@ -62,7 +62,7 @@ class PairGatherer {
     }
   }
 
-  double size_of(const std::array<std::uint32_t, 4>& corners) const {
+  double size_of(const std::array<ContactNodeIndex, 4>& corners) const {
     const double across = (surface_.x(corners[0]) - surface_.x(corners[2])).norm();
     return std::max(across, (surface_.x(corners[1]) - surface_.x(corners[3])).norm());
   }
@@ -71,7 +71,7 @@ class PairGatherer {
   const ContactKinematics& surface_;
   StartOverlap found_;
   std::set<std::uint32_t> nodes_;
-  std::set<std::array<std::uint32_t, 4>> sides_;
+  std::set<std::array<ContactNodeIndex, 4>> sides_;
 };
 
 }  // namespace
@@ -85,7 +85,7 @@ std::vector<StartOverlap> find_start_overlaps(const ContactModel& model, const M
   const OverlapDetection places(model, parts, search, points, 0.0);
   IndexedVector<PairIndex, PairGatherer> gatherers(model.pairs.size(),
                                                    PairGatherer(parts.contact_mesh, points.renewed()));
-  std::set<std::uint32_t> told;  // contact nodes behind faces
+  std::set<ContactNodeIndex> told;  // contact nodes behind faces
   for (const PairIndex p : indices(model.pairs)) {
     places.visit_all(p, [&](const Overlap& overlap) {
       gatherers[p].add(overlap);

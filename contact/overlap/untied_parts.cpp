@@ -101,7 +101,7 @@ void UntiedGatherer::add_faces(FaceIndex first, FaceIndex second) {
                         part.widest_gap = std::max(part.widest_gap, std::abs(gap));
                       }
                     });
-  for (const std::uint32_t corner : (is_first ? a : b).corners) {
+  for (const ContactNodeIndex corner : (is_first ? a : b).corners) {
     if (const auto row = contact_mesh_.find_row(corner, part.surface))
       note_node(pair, *row, is_first ? second : first, tolerance);
   }

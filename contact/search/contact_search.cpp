@@ -61,7 +61,7 @@ bool holds(const PairLists<Row, FaceIndex>& lists, Row row, FaceIndex partner) {
 
 ContactSearch::ContactSearch(const ContactMesh& contact_mesh, const Mesh& mesh, const PairRules& rules,
                              const SearchOptions& search, const DashOptions& dash,
-                             std::span<const std::int32_t> body_of)
+                             std::span<const OptionalIndex<std::uint32_t>> body_of)
     : contact_mesh_(contact_mesh),
       mesh_(mesh),
       rules_(rules),
@@ -120,7 +120,7 @@ IndexedVector<SurfaceIndex, double> ContactSearch::used_margins(const ContactKin
   parallel_for_uneven(n_surfaces, threads_for(contact_mesh_.n_nodes()), [&](std::uint32_t i) {
     double most = 0.0;
     for (const SurfaceNodeIndex row : contact_mesh_.rows_of({i})) {
-      const std::uint32_t node = contact_mesh_.surface_nodes[row].node;
+      const ContactNodeIndex node = contact_mesh_.surface_nodes[row].node;
       const Eigen::Vector3d now = kinematics.x(node) - searched_from_;
       const double moved = (now - searched_at_[node].cast<double>()).norm() + rounding * now.lpNorm<1>();
       const double share = moved / node_margin_[node];
@@ -171,7 +171,7 @@ bool ContactSearch::has_first_partners(PairIndex pair) const {
 }
 
 void ContactSearch::stop_at(const ContactKinematics& kinematics, const Motion& motion,
-                            std::uint32_t node) const {
+                            ContactNodeIndex node) const {
   const NodeIndex index{contact_mesh_.mesh_nodes[node]};
   // Boxes are of single precision.
   constexpr double farthest = 1e38;
@@ -189,7 +189,7 @@ void ContactSearch::find_face_pairs(const ContactKinematics& kinematics, const M
     return face_box(kinematics, face, motion.dt, depth_of(depths, face));
   };
   if (const auto bad = faces_phase_.update(indices(contact_mesh_.faces), box_of)) {
-    for (const std::uint32_t corner : contact_mesh_.faces[*bad].corners) {
+    for (const ContactNodeIndex corner : contact_mesh_.faces[*bad].corners) {
       if (!kinematics.x(corner).allFinite() || !kinematics.v(corner).allFinite())
         stop_at(kinematics, motion, corner);
     }
@@ -232,8 +232,8 @@ void ContactSearch::find_edge_pairs(const ContactKinematics& kinematics, const M
 void ContactSearch::finish(const ContactKinematics& kinematics) {
   ++n_searches_;
   searched_at_.resize(contact_mesh_.n_nodes());
-  if (contact_mesh_.n_nodes() > 0) searched_from_ = kinematics.x(0);
-  for (std::uint32_t i = 0; i < contact_mesh_.n_nodes(); ++i)
+  if (contact_mesh_.n_nodes() > 0) searched_from_ = kinematics.x({0});
+  for (const ContactNodeIndex i : contact_mesh_.nodes())
     searched_at_[i] = (kinematics.x(i) - searched_from_).cast<float>();
 }
 
@@ -243,7 +243,7 @@ Box ContactSearch::face_box(const ContactKinematics& kinematics, FaceIndex index
   const Eigen::Vector3d inward = -std::max(depth_share * face.penalty_properties.thickness, deep) *
                                  kinematics.bound(index).normal().cast<double>();
   Box box = box_at(kinematics.x(face.corners[0]));
-  for (const std::uint32_t corner : face.corners) {
+  for (const ContactNodeIndex corner : face.corners) {
     const Eigen::Vector3d x = kinematics.x(corner);
     include(x, box);
     include(x - dt * kinematics.v(corner), box);
@@ -256,7 +256,7 @@ Box ContactSearch::face_box(const ContactKinematics& kinematics, FaceIndex index
 
 Box ContactSearch::node_box(const ContactKinematics& kinematics, SurfaceNodeIndex row, double dt,
                             double deep) const {
-  const std::uint32_t node = contact_mesh_.surface_nodes[row].node;
+  const ContactNodeIndex node = contact_mesh_.surface_nodes[row].node;
   Box box = box_at(kinematics.x(node));
   include(kinematics.x(node) - dt * kinematics.v(node), box);
   const SurfaceNode& own = contact_mesh_.surface_nodes[row];
@@ -270,7 +270,7 @@ Box ContactSearch::edge_box(const ContactKinematics& kinematics, EdgeIndex index
   const ContactEdge& edge = contact_mesh_.edges[index];
   Box box = box_at(kinematics.x(edge.nodes[0]));
   double margin = 0.0;
-  for (const std::uint32_t node : edge.nodes) {
+  for (const ContactNodeIndex node : edge.nodes) {
     include(kinematics.x(node), box);
     include(kinematics.x(node) - dt * kinematics.v(node), box);
     margin = std::max<double>(margin, node_margin_[node]);

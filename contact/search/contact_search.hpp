@@ -11,6 +11,7 @@
 #include "contact/mesh/contact_remap.hpp"
 #include "contact/search/broad_phase.hpp"
 #include "contact/search/shell_sides.hpp"
+#include "core/base/optional_index.hpp"
 #include "core/definition/contact_options.hpp"
 #include "core/mesh/mesh.hpp"
 
@@ -26,11 +27,11 @@ inline constexpr double load_step_reach = 1.0;
 class ContactSearch {
  public:
   /// All must outlive this.
-  ///   body_of  [n_nodes] the rigid body of each node of the mesh, < 0 of none, or empty: what belongs to one
+  ///   body_of  [n_nodes] the rigid body of each node of the mesh, if any, or empty: what belongs to one
   ///            body never meets
   ContactSearch(const ContactMesh& contact_mesh, const Mesh& mesh, const PairRules& rules,
                 const SearchOptions& search, const DashOptions& dash,
-                std::span<const std::int32_t> body_of = {});
+                std::span<const OptionalIndex<std::uint32_t>> body_of = {});
 
   /// Goes over to other faces and nodes, which stand where `faces` of the constructor stood already. A search
   /// has to follow.
@@ -84,7 +85,7 @@ class ContactSearch {
   void archive(StateArchive& saved);
 
   /// How far beyond touch what a contact node may meet is looked for [length].
-  double margin_of(std::uint32_t node) const { return node_margin_[node]; }
+  double margin_of(ContactNodeIndex node) const { return node_margin_[node]; }
   /// Whether a face or a surface node takes part in a pair by its side of a shell.
   template <class Item>
   bool takes_part(const SurfacePair& pair, const Item& item) const {
@@ -116,19 +117,19 @@ class ContactSearch {
   /// Whether a sharp edge is none in a pair: both its faces stand for one round surface.
   bool is_smoothed(const ContactEdge& edge, PairIndex pair) const;
   bool edges_may_meet(EdgeIndex first, EdgeIndex second) const;
-  /// The rigid body that has all of these contact nodes, < 0 if none has.
-  std::int32_t rigid_body_of(std::span<const std::uint32_t> nodes) const;
-  bool are_of_one_rigid_body(std::span<const std::uint32_t> a, std::span<const std::uint32_t> b) const {
-    const std::int32_t body = rigid_body_of(a);
-    return body >= 0 && body == rigid_body_of(b);
+  /// The rigid body that has all of these contact nodes, if one has.
+  OptionalIndex<std::uint32_t> rigid_body_of(std::span<const ContactNodeIndex> nodes) const;
+  bool are_of_one_rigid_body(std::span<const ContactNodeIndex> a, std::span<const ContactNodeIndex> b) const {
+    const OptionalIndex<std::uint32_t> body = rigid_body_of(a);
+    return body && body == rigid_body_of(b);
   }
   /// Whether faces, or edges, without a common node are of elements that have one: they look away from each
   /// other, as the opposite skins of a plate one element thick, and would meet through their own material.
   /// Lofts are looked at by what the mesh joins.
   ///   first_node, second_node  any contact node of each
-  bool are_skins_of_one(ElementSide first, std::uint32_t first_node, ElementSide second,
-                        std::uint32_t second_node) const;
-  bool has_element_of(std::uint32_t node, const ContactFace& face) const;
+  bool are_skins_of_one(ElementSide first, ContactNodeIndex first_node, ElementSide second,
+                        ContactNodeIndex second_node) const;
+  bool has_element_of(ContactNodeIndex node, const ContactFace& face) const;
   /// Of pairs that slide infinitesimally keeps the partners of the first search; what deaths have exposed
   /// slides as it will.
   ///   first        of the first search; taken over from the lists there
@@ -143,13 +144,13 @@ class ContactSearch {
     is_new[entity] = 1;
   }
   [[noreturn]] void stop_at(const ContactKinematics& kinematics, const Motion& motion,
-                            std::uint32_t node) const;
+                            ContactNodeIndex node) const;
 
   const ContactMesh& contact_mesh_;
   const Mesh& mesh_;
   const PairRules& rules_;
   AdjacentFaces adjacent_;
-  std::span<const std::int32_t> body_of_;  // [n_nodes], or empty
+  std::span<const OptionalIndex<std::uint32_t>> body_of_;  // [n_nodes], or empty
   bool is_once_;
   double length_scaling_;
   bool has_face_pairs_ = false, has_node_pairs_ = false, has_small_sliding_ = false;
@@ -158,10 +159,10 @@ class ContactSearch {
   IndexedVector<SurfaceIndex, double> activation_distance_;               // of the models [length]
   IndexedVector<PairIndex, double> least_reach_;                          // or empty [length]
   IndexedVector<FaceIndex, float> face_margin_;                           // [length]
-  std::vector<float> node_margin_;                                        // [n_contact_nodes] [length]
+  IndexedVector<ContactNodeIndex, float> node_margin_;                    // [n_contact_nodes] [length]
   IndexedVector<SurfaceIndex, double> widest_margin_, narrowest_margin_;  // [length]
   Eigen::Vector3d searched_from_ = Eigen::Vector3d::Zero();               // a place near the nodes [length]
-  std::vector<Eigen::Vector3f>
+  IndexedVector<ContactNodeIndex, Eigen::Vector3f>
       searched_at_;  // [n_contact_nodes] where the last search was, from there [length]
   BroadPhase faces_phase_, nodes_phase_, edges_phase_;
   // Of the first search, if pairs keep their partners.

@@ -43,7 +43,7 @@ void ContactSearch::set_margins() {
   face_margin_.reserve(contact_mesh_.faces.size());
   for (const ContactFace& face : contact_mesh_.faces) {
     face_margin_.push_back(static_cast<float>(length_scaling_ * std::sqrt(start.area(face).norm())));
-    for (const std::uint32_t corner : face.corners)
+    for (const ContactNodeIndex corner : face.corners)
       node_margin_[corner] = std::min(node_margin_[corner], face_margin_.back());
   }
   for (const SurfaceNode& node : contact_mesh.surface_nodes)

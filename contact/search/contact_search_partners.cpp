@@ -49,8 +49,8 @@ bool ContactSearch::edges_may_meet(EdgeIndex first, EdgeIndex second) const {
   if (a.is_sharp() && b.is_sharp() && (is_smoothed(a, *pair) || is_smoothed(b, *pair))) return false;
   if (a.is_sharp() && b.is_sharp() && are_skins_of_one(a.side, a.nodes[0], b.side, b.nodes[0])) return false;
   if (are_of_one_rigid_body(a.nodes, b.nodes)) return false;
-  const auto is_of_b = [&](std::uint32_t node) {
-    const std::uint32_t alike = contact_mesh_.first_alike[node];
+  const auto is_of_b = [&](ContactNodeIndex node) {
+    const ContactNodeIndex alike = contact_mesh_.first_alike[node];
     return alike == contact_mesh_.first_alike[b.nodes[0]] || alike == contact_mesh_.first_alike[b.nodes[1]];
   };
   return !std::ranges::any_of(a.nodes, is_of_b) && !adjacent_.are_adjacent(a, b);
@@ -60,23 +60,23 @@ bool ContactSearch::is_smoothed(const ContactEdge& edge, PairIndex pair) const {
   return contact_mesh_.smooth_faces.go_on(rules_[pair].pair->smoothing, (*edge.faces)[0], (*edge.faces)[1]);
 }
 
-std::int32_t ContactSearch::rigid_body_of(std::span<const std::uint32_t> nodes) const {
-  if (body_of_.empty()) return -1;
-  const auto body = [&](std::uint32_t node) { return body_of_[contact_mesh_.mesh_nodes[node]]; };
-  const std::int32_t first = body(nodes[0]);
-  return std::ranges::all_of(nodes, [&](std::uint32_t node) { return body(node) == first; }) ? first : -1;
+OptionalIndex<std::uint32_t> ContactSearch::rigid_body_of(std::span<const ContactNodeIndex> nodes) const {
+  if (body_of_.empty()) return {};
+  const auto body = [&](ContactNodeIndex node) { return body_of_[contact_mesh_.mesh_nodes[node]]; };
+  const OptionalIndex<std::uint32_t> first = body(nodes[0]);
+  const bool is_one = std::ranges::all_of(nodes, [&](ContactNodeIndex node) { return body(node) == first; });
+  return is_one ? first : OptionalIndex<std::uint32_t>();
 }
 
-bool ContactSearch::are_skins_of_one(ElementSide first, std::uint32_t first_node, ElementSide second,
-                                     std::uint32_t second_node) const {
-  const std::size_t n_mesh_points = contact_mesh_.n_mesh_points();
-  if (first_node >= n_mesh_points || second_node >= n_mesh_points) return false;
+bool ContactSearch::are_skins_of_one(ElementSide first, ContactNodeIndex first_node, ElementSide second,
+                                     ContactNodeIndex second_node) const {
+  if (!contact_mesh_.is_mesh_point(first_node) || !contact_mesh_.is_mesh_point(second_node)) return false;
   const auto nodes = mesh_.element_nodes(first.element());
   return std::ranges::any_of(mesh_.element_nodes(second.element()),
                              [&](NodeIndex node) { return std::ranges::find(nodes, node) != nodes.end(); });
 }
 
-bool ContactSearch::has_element_of(std::uint32_t node, const ContactFace& face) const {
+bool ContactSearch::has_element_of(ContactNodeIndex node, const ContactFace& face) const {
   const auto nodes = mesh_.element_nodes(face.side.element());
   return std::find(nodes.begin(), nodes.end(), NodeIndex{contact_mesh_.mesh_nodes[node]}) != nodes.end();
 }

@@ -91,7 +91,7 @@ void KinematicConstraintsMaker::sort_out_bodies(PrescribedMotion& motion) const 
     if (rigid.is_free(node))
       free.push_back(node);
     else
-      ++counts[static_cast<std::size_t>(rigid.body_of[node.value])];
+      ++counts[*rigid.body_of[node.value]];
   }
   for (std::uint32_t i = 0; i < counts.size(); ++i) {
     if (counts[i] == rigid.counts[i]) bodies.push_back({i});

@@ -41,24 +41,24 @@ class Ends {
     return model.mesh->n_nodes() + model.rigid.bodies.size();
   }
 
-  std::int32_t body_of(NodeIndex node) const {
+  OptionalIndex<std::uint32_t> body_of(NodeIndex node) const {
     const auto& bodies = model_.rigid.nodes.body_of;
-    return bodies.empty() ? RigidNodes::free : bodies[node.value];
+    return bodies.empty() ? OptionalIndex<std::uint32_t>() : bodies[node.value];
   }
   std::size_t mover_of(NodeIndex node) const {
-    const std::int32_t body = body_of(node);
-    return body == RigidNodes::free ? node.value : model_.mesh->n_nodes() + static_cast<std::size_t>(body);
+    const OptionalIndex<std::uint32_t> body = body_of(node);
+    return body ? model_.mesh->n_nodes() + *body : node.value;
   }
   /// Acceleration by a force, at most [1/mass].
   double mobility(NodeIndex node) const {
-    const std::int32_t index = body_of(node);
-    if (index == RigidNodes::free) {
+    const OptionalIndex<std::uint32_t> index = body_of(node);
+    if (!index) {
       const double mass = model_.mass(0, node.value);
       return mass > minimum_nodal_mass && is_prescribed_[node.value] == 0 ? 1.0 / mass : 0.0;
     }
-    const RigidBody& body = model_.rigid.bodies[static_cast<std::size_t>(index)];
+    const RigidBody& body = model_.rigid.bodies[*index];
     const double arm = (model_.mesh->coordinates().col(node.value) - body.centre).norm();
-    return 1.0 / body.mass + arm * arm * per_inertia_[static_cast<std::size_t>(index)];
+    return 1.0 / body.mass + arm * arm * per_inertia_[*index];
   }
 
   const Model& model_;

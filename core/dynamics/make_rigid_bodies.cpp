@@ -25,7 +25,7 @@ class RigidBodyMaker {
         model_(model),
         mesh_(*model.mesh),
         diagnostics_(diagnostics) {
-    model.rigid.nodes.body_of.assign(mesh_.n_nodes(), RigidNodes::free);
+    model.rigid.nodes.body_of.assign(mesh_.n_nodes(), std::nullopt);
     std::vector<ModelBlock> rigid;
     for (const ModelBlock& block : model.blocks) {
       if (block.is_rigid) rigid.push_back(block);
@@ -72,14 +72,14 @@ bool RigidBodyMaker::claim_nodes(const RigidBodyDefinition& definition, std::spa
   body.nodes.erase(std::unique(body.nodes.begin(), body.nodes.end()), body.nodes.end());
   auto& body_of = model_.rigid.nodes.body_of;
   for (const NodeIndex node : body.nodes) {
-    if (body_of[node.value] != RigidNodes::free) {
-      const RigidBody& other = model_.rigid.bodies[static_cast<std::size_t>(body_of[node.value])];
+    if (body_of[node.value]) {
+      const RigidBody& other = model_.rigid.bodies[*body_of[node.value]];
       diagnostics_.add_error(definition.name.location,
                              fmt::format("node {} belongs to the rigid bodies '{}' and '{}'",
                                          mesh_.node_id(node), other.name, body.name));
       return false;
     }
-    body_of[node.value] = static_cast<std::int32_t>(model_.rigid.bodies.size());
+    body_of[node.value] = static_cast<std::uint32_t>(model_.rigid.bodies.size());
   }
   return true;
 }

@@ -51,9 +51,7 @@ class StaticBodies {
     return node < n_mesh_ && !model_.rigid.nodes.is_free(NodeIndex{node});
   }
   /// Precondition: moves(node).
-  std::uint32_t body_of(std::uint32_t node) const {
-    return static_cast<std::uint32_t>(model_.rigid.nodes.body_of[node]);
-  }
+  std::uint32_t body_of(std::uint32_t node) const { return *model_.rigid.nodes.body_of[node]; }
   /// L of a body [length].
   double length(std::uint32_t body) const { return lengths_[body]; }
 

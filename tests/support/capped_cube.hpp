@@ -59,7 +59,7 @@ struct CappedCube {
     cap.mass = 1.0;
     cap.inertia.setIdentity();
     cap.centre = {0.8, 1.1, 2.5};
-    model.rigid.nodes.body_of.assign(mesh.n_nodes(), RigidNodes::free);
+    model.rigid.nodes.body_of.assign(mesh.n_nodes(), std::nullopt);
     for (std::uint32_t i = 0; i < mesh.n_nodes(); ++i) {
       if (mesh.coordinates()(2, i) != 2.0) continue;
       cap.nodes.push_back({i});

@@ -13,13 +13,13 @@ namespace {
 const std::array<Eigen::Vector3d, 2> no_slip{Eigen::Vector3d::Zero(), Eigen::Vector3d::Zero()};
 
 /// Lines and sharp edges by first_alike of their nodes; nothing without any edges.
-PairLists<std::uint32_t, EdgeIndex> list_edges_of_nodes(const ContactMesh& contact_mesh) {
+PairLists<ContactNodeIndex, EdgeIndex> list_edges_of_nodes(const ContactMesh& contact_mesh) {
   if (contact_mesh.edges.empty()) return {};
-  return list_by_row<std::uint32_t, EdgeIndex>(contact_mesh.n_nodes(), [&](const auto& take) {
+  return list_by_row<ContactNodeIndex, EdgeIndex>(contact_mesh.n_nodes(), [&](const auto& take) {
     for (const EdgeIndex i : indices(contact_mesh.edges)) {
       const ContactEdge& edge = contact_mesh.edges[i];
       if (edge.is_particle()) continue;
-      for (const std::uint32_t node : edge.nodes) take(contact_mesh.first_alike[node], i);
+      for (const ContactNodeIndex node : edge.nodes) take(contact_mesh.first_alike[node], i);
     }
   });
 }

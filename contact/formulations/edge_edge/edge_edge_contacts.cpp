@@ -87,7 +87,7 @@ bool EdgeEdgeContacts::owns(const ContactStepContext& context, EdgeIndex index, 
   const ContactEdge& edge = contact_mesh_.edges[index];
   if (edge.is_sharp() || edge.is_particle() || (share > 0.0 && share < 1.0) || pair_point.length > 0.0)
     return true;
-  const std::uint32_t node = contact_mesh_.first_alike[edge.nodes[share > 0.0 ? 1 : 0]];
+  const ContactNodeIndex node = contact_mesh_.first_alike[edge.nodes[share > 0.0 ? 1 : 0]];
   for (const EdgeIndex other : edges_of_node_.of(node)) {
     const ContactEdge& next = contact_mesh_.edges[other];
     if (other == index || next.surface != edge.surface || next.is_sharp() != edge.is_sharp()) continue;
@@ -168,7 +168,7 @@ bool EdgeEdgeContacts::are_held(const ContactStepContext& context, PairIndex pai
     }
   }
   const auto is_held = [&](const ContactEdge& edge) {
-    return std::ranges::any_of(edge.nodes, [&](std::uint32_t node) {
+    return std::ranges::any_of(edge.nodes, [&](ContactNodeIndex node) {
       const auto row = contact_mesh_.find_row(node, edge.surface);
       return row && context.constrained.holds_node(*row, pair);
     });

@@ -69,7 +69,7 @@ class EdgeEdgeContacts {
 
   const ContactMesh& contact_mesh_;
   EdgePairLists candidates_;
-  PairLists<std::uint32_t, EdgeIndex> edges_of_node_;  // [n_contact_nodes] round ones, by first_alike
+  PairLists<ContactNodeIndex, EdgeIndex> edges_of_node_;  // [n_contact_nodes] round ones, by first_alike
   // [n_candidates] in the last step and in this one
   std::vector<ElasticSlips> slips_before_, slips_now_;
   // Penetration, 0 where nothing touches, in the last step and in this one [length]

@@ -48,7 +48,7 @@ class FaceFaceContacts {
   /// What the motion of a contact node makes of a weighted gap and of the slip there.
   struct NodeMotion {
     std::uint32_t number = 0;  ///< of the gap, in WeightedGaps::nodes()
-    std::uint32_t node = 0;    ///< contact node
+    ContactNodeIndex node;     ///< contact node
     Eigen::Vector3d opens;     ///< derivative of the gap [1]
     double slips = 0.0;        ///< derivative of the slip, 0 without friction [1]
   };

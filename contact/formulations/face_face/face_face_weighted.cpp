@@ -198,7 +198,7 @@ std::vector<FaceFaceContacts::NodeMotion> FaceFaceContacts::node_motions(
       const double bearing = overlap.bearing_area(k);
       const Eigen::Vector3d opening = bearing / node.area * share.normal;
       const double slipping = node.has_friction() ? overlap.sign() * bearing / node.bearing : 0.0;
-      const auto add = [&](std::uint32_t corner, double weight) {
+      const auto add = [&](ContactNodeIndex corner, double weight) {
         if (weight != 0.0) motions.push_back({overlap.nodes[k], corner, weight * opening, weight * slipping});
       };
       for (std::size_t c = 0; c < 4; ++c) {

@@ -28,7 +28,7 @@ bool is_border(const ContactStepContext& context, FaceIndex index, std::size_t e
   constexpr float smooth = 0.7f;
   const ContactMesh& contact_mesh = context.kinematics.contact_mesh();
   const ContactFace& face = contact_mesh.faces[index];
-  const std::uint32_t a = face.corners[edge], b = face.corners[(edge + 1) % (face.is_triangle() ? 3 : 4)];
+  const ContactNodeIndex a = face.corners[edge], b = face.corners[(edge + 1) % (face.is_triangle() ? 3 : 4)];
   return std::ranges::none_of(contact_mesh.faces_of_node.of(a), [&](FaceIndex other) {
     const ContactFace& beyond = contact_mesh.faces[other];
     return other != index && beyond.surface == face.surface &&
@@ -73,7 +73,7 @@ bool NodeAreas::is_covered(const ContactStepContext& context, const ContactPoint
     if (!(context.kinematics.bound(own).normal().cast<double>().dot(contact_point.normal) <
           facing_limit(face.sharpness)))
       continue;
-    for (const std::uint32_t corner : face.corners) {
+    for (const ContactNodeIndex corner : face.corners) {
       if (wanted_[corner] == 0.0) return false;
     }
   }
@@ -88,7 +88,7 @@ void NodeAreas::set_first_areas(const ContactStepContext& context,
     const ContactPoint& contact_point = contact_points[both_ways_[i]];
     double other = 0.0, weight = 0.0, covered = 0.0;
     for (Eigen::Index k = 0; k < 4; ++k) {
-      const std::uint32_t corner = contact_point.second.nodes[static_cast<std::size_t>(k)];
+      const ContactNodeIndex corner = contact_point.second.nodes[static_cast<std::size_t>(k)];
       const double of_corner = wanted_[corner];
       if (of_corner == 0.0) continue;
       const double share = std::max(0.0, contact_point.second.weights[k]);
@@ -106,7 +106,7 @@ void NodeAreas::set_first_areas(const ContactStepContext& context,
 void NodeAreas::sum_areas(std::span<const ContactPoint> contact_points) {
   for (const std::uint32_t i : both_ways_) {
     found_[contact_points[i].first.nodes[0]] = 0.0;
-    for (const std::uint32_t node : contact_points[i].second.nodes) found_[node] = 0.0;
+    for (const ContactNodeIndex node : contact_points[i].second.nodes) found_[node] = 0.0;
   }
   for (std::size_t i = 0; i < both_ways_.size(); ++i) {
     const ContactPoint& contact_point = contact_points[both_ways_[i]];
@@ -120,7 +120,7 @@ void NodeAreas::sum_areas(std::span<const ContactPoint> contact_points) {
 void NodeAreas::correct(std::span<const ContactPoint> contact_points) {
   // The mean of the ratios alone converges slowly, its square swings.
   const auto faster = [](double ratio) { return ratio * std::sqrt(ratio); };
-  const auto ratio_of = [&](std::uint32_t node) {
+  const auto ratio_of = [&](ContactNodeIndex node) {
     return is_covered_[node] != 0 && found_[node] > 0.0 ? wanted_[node] / found_[node] : 1.0;
   };
   for (std::size_t i = 0; i < both_ways_.size(); ++i) {

@@ -29,8 +29,9 @@ class NodeAreas {
 
   std::vector<std::uint32_t> both_ways_;  // positions of contact points
   std::vector<double> areas_;             // of these [length^2]
-  std::vector<double> wanted_, found_;    // [n_contact_nodes] 0 of nodes without a contact point [length^2]
-  std::vector<std::uint8_t> is_covered_;  // [n_contact_nodes]
+  IndexedVector<ContactNodeIndex, double> wanted_,
+      found_;  // [n_contact_nodes] 0 of nodes without a contact point [length^2]
+  IndexedVector<ContactNodeIndex, std::uint8_t> is_covered_;  // [n_contact_nodes]
 };
 
 }  // namespace contactsim

@@ -20,7 +20,7 @@ void NodeFaceContacts::watch(IndexedVector<FaceIndex, std::uint8_t>& is_watched)
       is_watched[own] = 1;
     for (const FaceIndex face : candidates_.of(row)) {
       is_watched[face] = 1;
-      for (const std::uint32_t corner : contact_mesh_.faces[face].corners) {
+      for (const ContactNodeIndex corner : contact_mesh_.faces[face].corners) {
         for (const FaceIndex neighbour : contact_mesh_.faces_of_node.of(corner)) is_watched[neighbour] = 1;
       }
     }

@@ -27,7 +27,7 @@ double allowed_beyond(const SurfacePair& pair, const FaceBound& face) {
   return pair.tangential_tolerance.value_or(automatic_beyond * face.radius());
 }
 
-bool has_corner(const ContactFace& face, std::uint32_t node) {
+bool has_corner(const ContactFace& face, ContactNodeIndex node) {
   return std::find(face.corners.begin(), face.corners.end(), node) != face.corners.end();
 }
 
@@ -197,7 +197,7 @@ bool NodeFaceContacts::projects_inside(const ContactStepContext& context, FaceIn
   double allowed = allowed_beyond(*context.rules[near_face.pair].pair, bound);
   // Behind the edge of a hollow there is a wedge that no face projects inside.
   const std::size_t n = face.is_triangle() ? 3 : 4, k = static_cast<std::size_t>(near_face.point.edge);
-  const std::uint32_t a = face.corners[k], b = face.corners[(k + 1) % n];
+  const ContactNodeIndex a = face.corners[k], b = face.corners[(k + 1) % n];
   for (const FaceIndex other : contact_mesh_.faces_of_node.of(a)) {
     if (other == face_index || !has_corner(contact_mesh_.faces[other], b)) continue;
     if (bound.is_in_front(context.kinematics.bound(other).centre()))

@@ -37,12 +37,12 @@ TEST_CASE("a contact point pushes the corners of both sides by their shares",
   ContactAssembler sums(7, 2, false);
   sums.begin_step();
   sums.add(sample_record());
-  CHECK(sums.nodes()[0] == Eigen::Vector4d(1.5, 0.0, 5.0, 10.0));
-  CHECK(sums.nodes()[1] == sums.nodes()[0]);
-  CHECK(sums.nodes()[2].norm() == 0.0);
-  CHECK(sums.nodes()[4] == Eigen::Vector4d(-3.0, 0.0, -10.0, 20.0));
+  CHECK(sums.nodes()[{0}] == Eigen::Vector4d(1.5, 0.0, 5.0, 10.0));
+  CHECK(sums.nodes()[{1}] == sums.nodes()[{0}]);
+  CHECK(sums.nodes()[{2}].norm() == 0.0);
+  CHECK(sums.nodes()[{4}] == Eigen::Vector4d(-3.0, 0.0, -10.0, 20.0));
   sums.add(sample_record());
-  CHECK(sums.nodes()[4] == Eigen::Vector4d(-6.0, 0.0, -20.0, 40.0));
+  CHECK(sums.nodes()[{4}] == Eigen::Vector4d(-6.0, 0.0, -20.0, 40.0));
   sums.begin_step();
   for (const NodeVector& node : sums.nodes()) CHECK(node.norm() == 0.0);
 }
@@ -80,11 +80,11 @@ TEST_CASE("a place that does not touch yet gives its stiffness only", "[contact]
   point.gap = 0.1;
   sums.add(point);
   sums.end_step();
-  CHECK(sums.nodes()[0] == Eigen::Vector4d(0.0, 0.0, 0.0, 10.0));
+  CHECK(sums.nodes()[{0}] == Eigen::Vector4d(0.0, 0.0, 0.0, 10.0));
   CHECK(sums.pairs()[{1}].is_near);
   CHECK(!sums.pairs()[{1}].touches);
   CHECK(sums.pairs()[{1}].area == 0.0);
-  CHECK(sums.friction()[0].slip_length == 0.0);
+  CHECK(sums.friction()[{0}].slip_length == 0.0);
 }
 
 TEST_CASE("slips of nodes are means by area, added up as vectors and by length",
@@ -99,23 +99,23 @@ TEST_CASE("slips of nodes are means by area, added up as vectors and by length",
   sums.add(other);
   sums.end_step();
   const Vector3d mean = (2.0 * Vector3d(-0.1, 0, 0) + 6.0 * Vector3d(0.3, 0.4, 0)) / 8.0;
-  CHECK((sums.friction()[0].last_slip - mean).norm() < 1e-15);
-  CHECK((sums.friction()[4].last_slip + mean).norm() < 1e-15);
-  CHECK(sums.friction()[2].slip_length == 0.0);
+  CHECK((sums.friction()[{0}].last_slip - mean).norm() < 1e-15);
+  CHECK((sums.friction()[{4}].last_slip + mean).norm() < 1e-15);
+  CHECK(sums.friction()[{2}].slip_length == 0.0);
   // Half of what is lost is each side's.
-  CHECK(sums.friction()[0].energy == Approx(0.25 * 0.4));
-  CHECK(sums.friction()[4].energy == Approx(0.5 * 0.4));
+  CHECK(sums.friction()[{0}].energy == Approx(0.25 * 0.4));
+  CHECK(sums.friction()[{4}].energy == Approx(0.5 * 0.4));
   sums.begin_step();
   ContactPoint back = sample_record();
   back.slip = -mean;
   sums.add(back);
   sums.end_step();
-  CHECK(sums.friction()[0].slip.norm() < 1e-15);
-  CHECK(sums.friction()[0].slip_length == Approx(2.0 * mean.norm()));
+  CHECK(sums.friction()[{0}].slip.norm() < 1e-15);
+  CHECK(sums.friction()[{0}].slip_length == Approx(2.0 * mean.norm()));
   sums.begin_step();
   sums.end_step();
-  CHECK(sums.friction()[0].last_slip.norm() == 0.0);
-  CHECK(sums.friction()[0].slip_length == Approx(2.0 * mean.norm()));
+  CHECK(sums.friction()[{0}].last_slip.norm() == 0.0);
+  CHECK(sums.friction()[{0}].slip_length == Approx(2.0 * mean.norm()));
   CHECK(ContactAssembler(7, 2, false).friction().empty());
 }
 
@@ -133,8 +133,8 @@ TEST_CASE("a tie gives its forces, its springs and what they hold", "[contact][c
   forces.stored = 0.25;
   sums.begin_step();
   sums.add(tie, forces);
-  CHECK(sums.nodes()[3] == Eigen::Vector4d(0.0, 2.0, 0.0, 4.0));
-  CHECK(sums.nodes()[7] == Eigen::Vector4d(0.0, -2.0, 0.0, 8.0));
+  CHECK(sums.nodes()[{3}] == Eigen::Vector4d(0.0, 2.0, 0.0, 4.0));
+  CHECK(sums.nodes()[{7}] == Eigen::Vector4d(0.0, -2.0, 0.0, 8.0));
   CHECK(sums.pairs()[{1}].force == Vector3d(0.0, 8.0, 0.0));
   CHECK(sums.pairs()[{1}].area == 3.0);
   CHECK(sums.pairs()[{1}].stored == 0.25);

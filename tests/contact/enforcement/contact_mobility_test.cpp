@@ -31,7 +31,7 @@ struct TwoCubes {
     body.centre << 0.5, 0.5, 2.5;
     body.flexible = Eigen::Vector3d(0.25, 0.25, 0.5).asDiagonal();
     model.rigid.bodies = {body};
-    model.rigid.nodes.body_of.assign(16, RigidNodes::free);
+    model.rigid.nodes.body_of.assign(16, std::nullopt);
     std::fill(model.rigid.nodes.body_of.begin() + 8, model.rigid.nodes.body_of.end(), 0);
     return model;
   }
@@ -61,22 +61,22 @@ TEST_CASE("a free node gives way by its mass, a held one along what is free", "[
   CHECK(mobility.update(0.0));
   CHECK_FALSE(mobility.update(1.0));
   const ContactKinematics& kinematics = cubes.parts.kinematics;
-  CHECK(mobility.mobility(kinematics, 0, &z) == 2.0);
-  CHECK(mobility.mobility(kinematics, 3, &z) == 0.0);
-  CHECK(mobility.mobility(kinematics, 3, &x) == 2.0);
-  CHECK(mobility.mobility(kinematics, 3, nullptr) == 2.0);
-  CHECK(mobility.is_held(kinematics, 3, &z));
-  CHECK_FALSE(mobility.is_held(kinematics, 3, &x));
-  CHECK_FALSE(mobility.is_held(kinematics, 3, nullptr));
-  CHECK_FALSE(mobility.is_held(kinematics, 0, &z));
+  CHECK(mobility.mobility(kinematics, {0}, &z) == 2.0);
+  CHECK(mobility.mobility(kinematics, {3}, &z) == 0.0);
+  CHECK(mobility.mobility(kinematics, {3}, &x) == 2.0);
+  CHECK(mobility.mobility(kinematics, {3}, nullptr) == 2.0);
+  CHECK(mobility.is_held(kinematics, {3}, &z));
+  CHECK_FALSE(mobility.is_held(kinematics, {3}, &x));
+  CHECK_FALSE(mobility.is_held(kinematics, {3}, nullptr));
+  CHECK_FALSE(mobility.is_held(kinematics, {0}, &z));
 }
 
 TEST_CASE("a node of a rigid body gives way by the whole body", "[contact][contact_mobility]") {
   const RigidCube cubes;
   const ContactKinematics& kinematics = cubes.parts.kinematics;
-  CHECK(cubes.mobility.is_of_body(kinematics.contact_mesh(), 9));
+  CHECK(cubes.mobility.is_of_body(kinematics.contact_mesh(), {9}));
   // A corner is sqrt(0.75) from the centre; the least moment of inertia is 2.
-  CHECK(cubes.mobility.mobility(kinematics, 9, &z) == Approx(1.0 / 8 + 0.75 / 2));
+  CHECK(cubes.mobility.mobility(kinematics, {9}, &z) == Approx(1.0 / 8 + 0.75 / 2));
 }
 
 TEST_CASE("the springs of a rigid body's nodes add up, those of nodes do not",
@@ -90,23 +90,23 @@ TEST_CASE("the springs of a rigid body's nodes add up, those of nodes do not",
   const std::vector<ContactPoint> points{point, point};
   const IndexedVector<PairIndex, std::uint8_t> slips{0};
   const auto rates = cubes.mobility.find_rates(cubes.parts.kinematics, points, {}, slips);
-  CHECK(rates[4] == Approx(2 * 0.5 * 3.0 * 2.0));
-  CHECK(rates[6] == 0.0);
-  CHECK(rates[8] == Approx(2 * 3.0 * 0.5));
-  CHECK(rates[15] == rates[8]);
+  CHECK(rates[{4}] == Approx(2 * 0.5 * 3.0 * 2.0));
+  CHECK(rates[{6}] == 0.0);
+  CHECK(rates[{8}] == Approx(2 * 3.0 * 0.5));
+  CHECK(rates[{15}] == rates[{8}]);
 }
 
 TEST_CASE("contact alone accelerates rigid bodies, and not what elements hold",
           "[contact][contact_mobility]") {
   RigidCube cubes;
   ContactPoint point;
-  point.first.nodes.fill(8);  // of the body of mass 8
-  point.second.nodes.fill(4);
+  point.first.nodes.fill({8});  // of the body of mass 8
+  point.second.nodes.fill({4});
   point.first.weights = point.second.weights = Eigen::Vector4d::UnitX();
   point.normal = z;
   point.force = 16.0;
   std::vector<ContactPoint> points{point, point};
-  points[1].first.nodes.fill(9);
+  points[1].first.nodes.fill({9});
   for (const double acceleration : cubes.mobility.find_accelerations(cubes.parts.kinematics, points))
     CHECK(acceleration == 4.0);  // both forces move it, the other side's nodes have elements
   for (ContactPoint& swapped : points) std::swap(swapped.first, swapped.second);

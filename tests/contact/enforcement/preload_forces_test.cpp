@@ -13,8 +13,8 @@ namespace {
 ContactAssembler pressed_by(double force, bool has_moments = false) {
   ContactAssembler sums(3, 1, false, has_moments);
   sums.begin_step();
-  sums.add_node(0, Vector3d(0.0, 0.0, force), Vector3d(0.5 * force, 0.0, 0.0));
-  sums.add_node(2, Vector3d(0.0, 0.0, -force), Vector3d::Zero());
+  sums.add_node({0}, Vector3d(0.0, 0.0, force), Vector3d(0.5 * force, 0.0, 0.0));
+  sums.add_node({2}, Vector3d(0.0, 0.0, -force), Vector3d::Zero());
   return sums;
 }
 
@@ -30,9 +30,9 @@ TEST_CASE("what contact pressed with before and does not now is let go evenly", 
     ContactAssembler sums(3, 1, false, true);
     sums.begin_step();
     preload.add_to(sums, time);
-    CHECK(sums.nodes()[0][2] == held);
-    CHECK(sums.nodes()[2][2] == -held);
-    CHECK(sums.moments()[0].x() == 0.5 * held);
+    CHECK(sums.nodes()[{0}][2] == held);
+    CHECK(sums.nodes()[{2}][2] == -held);
+    CHECK(sums.moments()[{0}].x() == 0.5 * held);
   }
   CHECK(preload.entries().empty());
 }
@@ -48,7 +48,7 @@ TEST_CASE("while contact finds its forces the nodes keep those of before", "[con
       ContactAssembler step = pressed_by(own);
       preload.add_to(step, 0.0);
       if (preload.is_settling()) preload.settle(step);
-      sums.push_back(step.nodes()[0][2]);
+      sums.push_back(step.nodes()[{0}][2]);
     }
     CHECK_FALSE(preload.is_settling());
     sums.push_back(preload.entries().at(0).force.z());
@@ -77,5 +77,5 @@ TEST_CASE("held preload goes on from a stored state", "[contact][preload_forces]
   ContactAssembler sums(3, 1, false);
   sums.begin_step();
   resumed.add_to(sums, 1.0);
-  CHECK(sums.nodes()[0][2] == 7.5);
+  CHECK(sums.nodes()[{0}][2] == 7.5);
 }

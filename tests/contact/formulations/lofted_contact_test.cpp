@@ -124,7 +124,7 @@ TEST_CASE("plates that turn carry their skins along", "[contact][lofted]") {
   bodies.turning.row(0).setConstant(0.25);
   ContactKinematics kinematics(bodies.contact.contact_mesh());
   kinematics.step(bodies.motion());
-  const auto first = static_cast<std::uint32_t>(bodies.contact.contact_mesh().n_mesh_points());
+  const ContactNodeIndex first{static_cast<std::uint32_t>(bodies.contact.contact_mesh().n_mesh_points())};
   REQUIRE(kinematics.offsets().cols() == 2 * (9 + 16));
   CHECK(kinematics.offsets().colwise().norm().isApproxToConstant(1.0));
   // Turning about x, what stands up goes along -y.

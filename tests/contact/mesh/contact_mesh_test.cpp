@@ -102,7 +102,7 @@ TEST_CASE("a node knows the faces that have it", "[contact][contact_mesh]") {
   const ContactParts parts(plate_and_tet(), general_contact("", surfaces));
   const ContactMesh& contact_mesh = parts.contact_mesh;
   REQUIRE(contact_mesh.faces_of_node.n_rows() == contact_mesh.n_nodes());
-  for (std::uint32_t node = 0; node < contact_mesh.n_nodes(); ++node) {
+  for (const ContactNodeIndex node : contact_mesh.nodes()) {
     std::vector<FaceIndex> slow;
     for (const FaceIndex f : indices(contact_mesh.faces)) {
       const auto& corners = contact_mesh.faces[f].corners;

@@ -36,7 +36,7 @@ double sharpness_at_first(const MeshBuilder& builder) {
   ContactParts parts(builder, "skin all blocks = on\n");
   measure_sharpness(parts.kinematics, parts.contact_mesh);
   float most = 0.0f;
-  for (const FaceIndex face : parts.contact_mesh.faces_of_node.of(0))
+  for (const FaceIndex face : parts.contact_mesh.faces_of_node.of({0}))
     most = std::max(most, parts.contact_mesh.faces[face].sharpness);
   return static_cast<double>(most);
 }

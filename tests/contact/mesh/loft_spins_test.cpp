@@ -106,7 +106,7 @@ TEST_CASE("bending that turns every other node the other way does not tilt a lof
 TEST_CASE("nodes of rigid bodies have no spin of their own", "[contact][loft_spins]") {
   ContactParts parts(roof(), general_contact());
   RigidNodes rigid;
-  rigid.body_of.assign(static_cast<std::size_t>(parts.x.cols()), RigidNodes::free);
+  rigid.body_of.assign(static_cast<std::size_t>(parts.x.cols()), std::nullopt);
   rigid.body_of[0] = 0;
   LoftSpins spins(parts.contact_mesh.loft, static_cast<std::size_t>(parts.x.cols()), rigid);
   CHECK(spins.size() == static_cast<std::size_t>(parts.x.cols()) - 1);

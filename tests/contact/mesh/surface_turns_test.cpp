@@ -43,7 +43,8 @@ TEST_CASE("surfaces of a body that turns as a whole turn with it, at every node"
   parts.x.colwise() += Eigen::Vector3d(3, 4, 5);
   parts.move();
   std::size_t n_without = 0;
-  for (std::uint32_t i = 0; i < parts.contact_mesh.n_mesh_points(); ++i) {
+  for (const ContactNodeIndex i : parts.contact_mesh.nodes()) {
+    if (!parts.contact_mesh.is_mesh_point(i)) continue;
     const Eigen::Matrix3d turn = parts.turns.turn(parts.kinematics, i);
     if (!parts.turns.has_faces(i)) {
       ++n_without;
@@ -62,7 +63,7 @@ TEST_CASE("a surface that grows turns nowhere, one that is sheared by about half
   const bool is_sheared = GENERATE(false, true);
   Eigen::Matrix3d gradient = 1.3 * Eigen::Matrix3d::Identity();
   if (is_sheared) gradient(0, 1) = shear;
-  const std::uint32_t node = parts.contact_mesh.find_node({6});
+  const ContactNodeIndex node = parts.contact_mesh.find_node({6});
   parts.x = gradient * parts.x;
   parts.move();
   const Eigen::Matrix3d turn = parts.turns.turn(parts.kinematics, node);

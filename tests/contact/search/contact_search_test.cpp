@@ -76,7 +76,7 @@ Span span_of_face(const ContactParts& parts, FaceIndex index, double dt) {
   const ContactFace& face = parts.contact_mesh.faces[index];
   Span span;
   const double margin = 0.15 * std::sqrt(area_vector(parts.kinematics.face(index).x).norm());
-  for (const std::uint32_t corner : face.corners) {
+  for (const ContactNodeIndex corner : face.corners) {
     const Vector3d x = parts.kinematics.x(corner);
     span.add(x);
     span.add(x - dt * parts.kinematics.v(corner));
@@ -161,13 +161,14 @@ TEST_CASE("a rigid body does not meet itself, two rigid bodies do", "[contact][c
   ContactParts parts(b, general_contact(formulation));
   const auto n_nodes = static_cast<std::size_t>(parts.mesh.coordinates().cols());
   constexpr std::size_t n_of_first = 3 * 3 * 2;
-  for (const int second : {0, 1, -1}) {  // the first body's number is 0, no body's -1
-    std::vector<std::int32_t> body_of(n_nodes, second);
+  for (const OptionalIndex<std::uint32_t> second :
+       {OptionalIndex<std::uint32_t>(0), OptionalIndex<std::uint32_t>(1), OptionalIndex<std::uint32_t>()}) {
+    std::vector<OptionalIndex<std::uint32_t>> body_of(n_nodes, second);
     std::fill_n(body_of.begin(), n_of_first, 0);
     ContactSearch search(parts.contact_mesh, parts.mesh, parts.rules, {}, {}, body_of);
     parts.find_candidates(search);
     const std::size_t n_found = parts.face_partners.partners.size() + parts.node_faces.partners.size();
-    CHECK((n_found == 0) == (second == 0));
+    CHECK((n_found == 0) == (second == OptionalIndex<std::uint32_t>(0)));
   }
 }
 
