@@ -25,7 +25,7 @@ struct ReportFace {
   std::uint32_t owner = 0;                   ///< position in ReportGeometry::owners plus 1; 0: of no surface
   std::uint32_t claims = 0;                  ///< position in ReportGeometry::lost
   std::uint32_t shown_from = 0;              ///< position of a stored time
-  OptionalIndex<std::uint32_t> hidden_from;  ///< the same; none without deaths
+  OptionalIndex<std::uint32_t> hidden_from = {};  ///< the same; none without deaths
 };
 
 /// A beam, truss or spring to draw, or a particle, whose two points are one.

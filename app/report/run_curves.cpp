@@ -36,11 +36,12 @@ double largest_of(const std::vector<double>& values) {
 }  // namespace
 
 void RunCurves::look(RunEvent event, const Simulation& run) {
-  if (event == RunEvent::begun) last_step_ = -1;  // procedures count their own
+  if (event == RunEvent::begun) last_step_ = std::nullopt;  // procedures count their own
   const std::int64_t step = run.state().step;
   const bool is_due = event == RunEvent::step && step % stride_ == 0;
   const bool is_last = event == RunEvent::ended && !run.failure();
-  if ((is_due || is_last) && step > last_step_) note(run);
+  const bool is_new = !last_step_ || step > *last_step_;
+  if ((is_due || is_last) && is_new) note(run);
 }
 
 void RunCurves::note(const Simulation& run) {

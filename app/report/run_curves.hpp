@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <map>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -37,7 +38,8 @@ class RunCurves {
   CurveChart pair_chart(const char* title, const char* dimension,
                         std::vector<double> PairCurve::*values) const;
 
-  std::int64_t stride_ = 1, last_step_ = -1;
+  std::int64_t stride_ = 1;
+  std::optional<std::int64_t> last_step_;
   std::vector<double> times_;
   std::vector<std::vector<double>> energies_;
   std::map<PairKey, PairCurve> pairs_;

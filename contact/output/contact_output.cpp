@@ -177,7 +177,7 @@ const ContactTotal& ContactOutput::total_of_side_set(std::size_t index, const St
   const std::lock_guard guard(lock_);
   SideSetTotal& set = side_sets_[index];
   if (set.step == state.step) return set.total;
-  if (set.step < 0) {
+  if (!set.step) {
     set.sides = model_.mesh->side_sets()[index].sides;
     std::ranges::sort(set.sides);
   }
@@ -187,14 +187,14 @@ const ContactTotal& ContactOutput::total_of_side_set(std::size_t index, const St
 }
 
 void ContactOutput::renew() {
-  step_ = gaps_step_ = -1;
-  for (SideSetTotal& set : side_sets_) set.step = -1;
+  step_ = gaps_step_ = std::nullopt;
+  for (SideSetTotal& set : side_sets_) set.step = std::nullopt;
 }
 
 void ContactOutput::evaluate(const State& state) {
   const std::lock_guard guard(lock_);
   if (state.step == step_) return;
-  if (step_ < 0) begin();
+  if (!step_) begin();
   step_ = state.step;
   const auto friction = force_.node_friction();
   const auto& first_alike = force_.contact_mesh().first_alike;

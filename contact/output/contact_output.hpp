@@ -3,6 +3,7 @@
 
 #include <functional>
 #include <mutex>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -121,7 +122,7 @@ class ContactOutput {
   const ContactModel& contact_;
   const Model& model_;
   std::mutex lock_;
-  std::int64_t step_ = -1, gaps_step_ = -1;                    // of what is known, and of gaps
+  std::optional<std::int64_t> step_, gaps_step_;               // of what is known, and of gaps
   std::vector<double> rest_status_;                            // [n_nodes] of nodes that touch nothing
   std::vector<OptionalIndex<ContactNodeIndex>> contact_node_;  // [n_nodes] position among the contact nodes
   IndexedVector<ContactNodeIndex, NodeContact> nodes_;         // [n_contact_nodes]
@@ -130,7 +131,7 @@ class ContactOutput {
 
   /// What is known of a side set of the mesh.
   struct SideSetTotal {
-    std::int64_t step = -1;
+    std::optional<std::int64_t> step;
     std::vector<ElementSide> sides;  // ascending, once someone has asked
     ContactTotal total;
   };
