@@ -40,7 +40,7 @@ TEST_CASE("bounds of faces tell centre, normal, velocity and radius", "[contact]
     if (f.value >= 6) continue;
     CHECK(bound.radius() == Approx(std::sqrt(2.0)));
     const auto& corners = parts.contact_mesh.faces[f].corners;
-    const bool has_first = std::count(corners.begin(), corners.end(), 0u) > 0;
+    const bool has_first = std::ranges::count(corners, ContactNodeIndex{0}) > 0;
     CHECK((bound.velocity().cast<double>() - speed - Vector3d(has_first ? 1.0 : 0.0, 0, 0)).norm() < 1e-14);
   }
 }
