@@ -82,6 +82,7 @@ ContactSearch::ContactSearch(const ContactMesh& contact_mesh, const Mesh& mesh, 
 void ContactSearch::archive(StateArchive& saved) {
   saved.numbers("contact/search/last", n_searches_, searched_from_);
   saved.list("contact/search/searched_at", searched_at_);
+  turned_away_.archive(saved);
   contactsim::archive("contact/search/first_face_pairs", first_face_partners_, saved);
   contactsim::archive("contact/search/first_node_pairs", first_node_faces_, saved);
   // Most runs have neither, and states of such runs nothing of them.
@@ -99,6 +100,7 @@ void ContactSearch::archive(StateArchive& saved) {
 bool ContactSearch::is_due(const ContactKinematics& kinematics) const {
   if (n_searches_ == 0) return true;
   if (is_once_ || !(has_face_pairs_ || has_node_pairs_)) return false;
+  if (turned_away_.have_turned(kinematics)) return true;
   // Two sides share their margins: one may use up what the other, at rest, does not need.
   const auto used = used_margins(kinematics);
   return !std::ranges::all_of(rules_.rules(), [&](const PairRule& rule) {
@@ -196,7 +198,11 @@ void ContactSearch::find_face_pairs(const ContactKinematics& kinematics, const M
     stop_at(kinematics, motion, contact_mesh_.faces[*bad].corners[0]);
   }
   if (!has_face_pairs_) return;
-  faces_phase_.find_pairs([this](FaceIndex a, FaceIndex b) { return faces_may_meet(a, b); }, partners);
+  turned_away_.begin(kinematics);
+  has_to_face_.clear();
+  for (const PairRule& rule : rules_.rules()) has_to_face_.push_back(has_to_face(rule) ? 1 : 0);
+  faces_phase_.find_pairs([&](FaceIndex a, FaceIndex b) { return faces_may_meet(kinematics, a, b); },
+                          partners);
   if (has_small_sliding_)
     keep_first_partners(
         is_new_face_, [this](FaceIndex face) { return contact_mesh_.faces[face].surface; },
@@ -231,6 +237,7 @@ void ContactSearch::find_edge_pairs(const ContactKinematics& kinematics, const M
 
 void ContactSearch::finish(const ContactKinematics& kinematics) {
   ++n_searches_;
+  turned_away_.finish(kinematics);
   searched_at_.resize(contact_mesh_.n_nodes());
   if (contact_mesh_.n_nodes() > 0) searched_from_ = kinematics.x({0});
   for (const ContactNodeIndex i : contact_mesh_.nodes())

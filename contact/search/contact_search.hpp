@@ -10,6 +10,7 @@
 #include "contact/mesh/contact_kinematics.hpp"
 #include "contact/mesh/contact_remap.hpp"
 #include "contact/search/broad_phase.hpp"
+#include "contact/search/faces_turned_away.hpp"
 #include "contact/search/shell_sides.hpp"
 #include "core/base/optional_index.hpp"
 #include "core/definition/contact_options.hpp"
@@ -95,7 +96,7 @@ class ContactSearch {
   /// The memory of trees, margins and places of the last search [bytes].
   std::size_t bytes() const {
     return faces_phase_.bytes() + nodes_phase_.bytes() + edges_phase_.bytes() + bytes_of(face_margin_) +
-           bytes_of(node_margin_) + bytes_of(searched_at_);
+           bytes_of(node_margin_) + bytes_of(searched_at_) + turned_away_.bytes();
   }
   const BroadPhaseCounts& face_counts() const { return faces_phase_.counts(); }
   const BroadPhaseCounts& node_counts() const { return nodes_phase_.counts(); }
@@ -111,7 +112,10 @@ class ContactSearch {
   bool has_room(SurfaceIndex first, double first_used, SurfaceIndex second, double second_used) const;
   Box face_box(const ContactKinematics& kinematics, FaceIndex face, double dt, double deep) const;
   Box node_box(const ContactKinematics& kinematics, SurfaceNodeIndex row, double dt, double deep) const;
-  bool faces_may_meet(FaceIndex first, FaceIndex second) const;
+  bool faces_may_meet(const ContactKinematics& kinematics, FaceIndex first, FaceIndex second);
+  /// Whether only faces that face each other have to do with each other in a pair: nothing holds any others
+  /// together, now or later.
+  bool has_to_face(const PairRule& rule) const;
   bool node_may_meet(SurfaceNodeIndex row, FaceIndex face) const;
   Box edge_box(const ContactKinematics& kinematics, EdgeIndex edge, double dt, double deep) const;
   /// Whether a sharp edge is none in a pair: both its faces stand for one round surface.
@@ -165,6 +169,8 @@ class ContactSearch {
   IndexedVector<ContactNodeIndex, Eigen::Vector3f>
       searched_at_;  // [n_contact_nodes] where the last search was, from there [length]
   BroadPhase faces_phase_, nodes_phase_, edges_phase_;
+  FacesTurnedAway turned_away_;
+  IndexedVector<PairIndex, std::uint8_t> has_to_face_;  // of the search that goes on
   // Of the first search, if pairs keep their partners.
   FacePairLists first_face_partners_;
   NodeFaceLists first_node_faces_;

@@ -6,12 +6,19 @@
 
 namespace contactsim {
 
-bool ContactSearch::faces_may_meet(FaceIndex first, FaceIndex second) const {
+bool ContactSearch::has_to_face(const PairRule& rule) const {
+  return rule.law == ContactLaw::sliding && !rule.far && !rule.model.is_variant() && !rule.may_act_apart() &&
+         rule.pair->separates && !rule.pair->gap.needs_start() &&
+         rule.pair->behavior != InteractionBehavior::infinitesimal_sliding && !is_once_;
+}
+
+bool ContactSearch::faces_may_meet(const ContactKinematics& kinematics, FaceIndex first, FaceIndex second) {
   const ContactFace &a = contact_mesh_.faces[first], &b = contact_mesh_.faces[second];
   const OptionalIndex<PairIndex> pair = rules_.find(a.surface, b.surface);
   if (!pair) return false;
   const SurfacePair& of = *rules_[*pair].pair;
   if (of.formulation != ConstraintFormulation::face_face) return false;
+  if (has_to_face_[*pair] != 0 && turned_away_.are(kinematics, first, second)) return false;
   if (!(takes_part(of, a) && takes_part(of, b))) return false;
   if (!rules_.start_reach().may_meet_faces(*pair, first, second, a.surface)) return false;
   if (rules_[*pair].only_ties() && n_searches_ > 0) return false;  // what was near at the start is tied

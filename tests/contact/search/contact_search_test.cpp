@@ -111,6 +111,13 @@ Pairs sweep_faces(const ContactParts& parts, double dt) {
   return pairs;
 }
 
+/// Cosine of how two faces look.
+double cosine_of(const ContactParts& parts, std::uint32_t a, std::uint32_t b) {
+  return area_vector(parts.kinematics.face({a}).x)
+      .normalized()
+      .dot(area_vector(parts.kinematics.face({b}).x).normalized());
+}
+
 }  // namespace
 
 TEST_CASE("the candidates of flying bricks equal a sweep of all pairs of faces",
@@ -126,10 +133,15 @@ TEST_CASE("the candidates of flying bricks equal a sweep of all pairs of faces",
     parts.move();
     parts.find_candidates(search, dt);
     const Pairs fast = in_set(parts.face_partners);
-    CHECK(fast == sweep_faces(parts, dt));
+    // Faces face each other up to a cosine of -0.3, and may both turn by 0.08 before the next search.
+    Pairs slow = sweep_faces(parts, dt);
+    std::erase_if(slow, [&](const auto& pair) {
+      return cosine_of(parts, pair.first, pair.second) > -0.3 + 0.16 + 0.0064 + 1e-5;
+    });
+    CHECK(fast == slow);
     n_found += fast.size();
   }
-  CHECK(n_found > 1000);
+  CHECK(n_found > 400);
   CHECK(search.n_searches() == 20);
 }
 

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <Eigen/Core>
+
+#include "contact/mesh/contact_kinematics.hpp"
+#include "core/base/bytes_of.hpp"
+#include "core/base/indexed_vector.hpp"
+
+namespace contactsim {
+
+class StateArchive;
+
+/// Faces that are near others but turned away from them. Such pairs, most of those whose boxes meet, are no
+/// candidates as long as neither face has turned by more than a little since the last search.
+class FacesTurnedAway {
+ public:
+  /// Begins a search: bounds of all faces are those of now.
+  void begin(const ContactKinematics& kinematics) {
+    marks_.assign(kinematics.contact_mesh().faces.size(), 0);
+  }
+  /// Whether two faces will not face each other until have_turned(); both are watched then. May be called by
+  /// several threads.
+  bool are(const ContactKinematics& kinematics, FaceIndex a, FaceIndex b);
+  /// Ends a search: turns count from here.
+  void finish(const ContactKinematics& kinematics);
+  /// Whether a watched face has turned too far for what are() has said.
+  bool have_turned(const ContactKinematics& kinematics) const;
+
+  void archive(StateArchive& saved);
+  std::size_t bytes() const { return bytes_of(marks_) + bytes_of(watched_) + bytes_of(normals_); }
+
+ private:
+  IndexedVector<FaceIndex, std::uint8_t> marks_;  // of the search that goes on
+  std::vector<FaceIndex> watched_;
+  std::vector<Eigen::Vector3f> normals_;  // [watched] at the last search [1]
+};
+
+}  // namespace contactsim
