@@ -30,6 +30,7 @@ class NarrowPhase {
 /// later chunks.
 template <class F, class Take>
 void NarrowPhase::detect_in_chunks(F& formulation, const ContactStepContext& context, const Take& take) {
+  if constexpr (requires { formulation.begin_detection(context); }) formulation.begin_detection(context);
   const std::size_t n_rows = formulation.n_rows();
   const std::size_t n_chunks = (n_rows + rows_per_chunk - 1) / rows_per_chunk;
   const int n_threads = threads_for(n_rows * 10);

@@ -65,6 +65,8 @@ concept FormulationBase = requires(F formulation, const ContactRemap& remap, Sta
 ///   find_lost(rules, lost)
 ///       appends the contacts of the step before the last one that ended though they were deep
 /// It may also have
+///   begin_detection(context)
+///       what all rows of detect() read
 ///   complete(context, points)
 ///       changes points that depend on each other, once all are detected
 ///   mark_close(context, size_share, rules)

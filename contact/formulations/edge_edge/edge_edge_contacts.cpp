@@ -62,15 +62,14 @@ bool backs_up_nodes(const PairRule& rule) {
 ///   offset    taken off their gap at most [length]
 bool may_cross(const ContactKinematics& kinematics, const ContactEdge& first, const ContactEdge& second,
                double dt_ahead, double offset) {
-  constexpr double parallel = 0.02, beside = 1e-4;  // less strict than find_edge_gap()
   const Eigen::Vector3d a = kinematics.x(first.nodes[0]), b = kinematics.x(second.nodes[0]);
   const Eigen::Vector3d p = kinematics.x(first.nodes[1]) - a, q = kinematics.x(second.nodes[1]) - b;
   const Eigen::Vector3d normal = p.cross(q), apart = b - a;
   const double square = normal.squaredNorm();
-  if (!(square > parallel * p.squaredNorm() * q.squaredNorm())) return false;
+  if (!(square > may_cross_sine_squared * p.squaredNorm() * q.squaredNorm())) return false;
   const double s = apart.cross(q).dot(normal), t = apart.cross(p).dot(normal);
-  if (s < -beside * square || s > (1.0 + beside) * square) return false;
-  if (t < -beside * square || t > (1.0 + beside) * square) return false;
+  if (s < -may_cross_beside * square || s > (1.0 + may_cross_beside) * square) return false;
+  if (t < -may_cross_beside * square || t > (1.0 + may_cross_beside) * square) return false;
   const auto v = [&](const ContactEdge& edge, std::size_t k) { return kinematics.v(edge.nodes[k]); };
   double speed = 0.0;
   for (std::size_t k = 0; k < 4; ++k) speed = std::max(speed, (v(first, k / 2) - v(second, k % 2)).norm());
@@ -176,11 +175,16 @@ bool EdgeEdgeContacts::are_held(const ContactStepContext& context, PairIndex pai
   return is_held(a) || is_held(b);
 }
 
+void EdgeEdgeContacts::begin_detection(const ContactStepContext& context) {
+  bounds_.update(context.kinematics, depth_before_);
+}
+
 void EdgeEdgeContacts::detect(const ContactStepContext& context, CandidateRows rows,
                               std::vector<ContactPoint>& points) const {
   for (const EdgeIndex row : rows.indices<EdgeIndex>()) {
-    for (std::size_t k = candidates_.first_pair(row); k < candidates_.end_pair(row); ++k)
-      detect_one(context, row, k, points);
+    for (std::size_t k = candidates_.first_pair(row); k < candidates_.end_pair(row); ++k) {
+      if (bounds_.may_cross(row, candidates_.partner(k))) detect_one(context, row, k, points);
+    }
   }
 }
 

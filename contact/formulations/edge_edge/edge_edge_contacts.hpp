@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "contact/formulations/contact_formulation.hpp"
+#include "contact/formulations/edge_edge/edge_bounds.hpp"
 #include "contact/geometry/edge_edge.hpp"
 #include "contact/mesh/pair_lists.hpp"
 
@@ -30,6 +31,7 @@ class EdgeEdgeContacts {
 
   void begin_step();
   void undo_begin_step() { swap_steps(); }
+  void begin_detection(const ContactStepContext& context);
   void detect(const ContactStepContext& context, CandidateRows rows, std::vector<ContactPoint>& points) const;
   void update(const ContactStepContext& context, CandidateRows rows, std::span<const ContactPoint> points);
   /// None: an edge that has passed another is behind its faces, which know it.
@@ -69,6 +71,7 @@ class EdgeEdgeContacts {
 
   const ContactMesh& contact_mesh_;
   EdgePairLists candidates_;
+  EdgeBounds bounds_;                                     // of the step
   PairLists<ContactNodeIndex, EdgeIndex> edges_of_node_;  // [n_contact_nodes] round ones, by first_alike
   // [n_candidates] in the last step and in this one
   std::vector<ElasticSlips> slips_before_, slips_now_;

@@ -76,6 +76,7 @@ TEST_CASE("sharp edges whose faces or nodes a tie holds do not push", "[contact]
   edges.begin_step();
   const auto find = [&] {
     std::vector<ContactPoint> contact_points;
+    edges.begin_detection(parts.context());
     edges.detect(parts.context(), {0, edges.n_rows()}, contact_points);
     std::erase_if(contact_points, [](const ContactPoint& contact_point) { return !contact_point.touches(); });
     return contact_points;
