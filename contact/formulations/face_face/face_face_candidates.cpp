@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <algorithm>
 #include <utility>
 
 #include "contact/formulations/face_face/face_face_contacts.hpp"
@@ -6,6 +7,24 @@
 #include "contact/formulations/start_gaps.hpp"
 
 namespace contactsim {
+
+namespace {
+
+/// Of those behind faces [length].
+double thickest_element(const ContactMesh& contact_mesh) {
+  double thickest = 0.0;
+  for (const ContactFace& face : contact_mesh.faces)
+    thickest = std::max(thickest, face.penalty_properties.thickness);
+  return thickest;
+}
+
+}  // namespace
+
+FaceFaceContacts::FaceFaceContacts(const FormulationSetup& setup)
+    : contact_mesh_(setup.contact_mesh),
+      rules_(setup.rules),
+      history_(setup.rules.has_friction(), setup.rules.may_hold()),
+      thickest_(thickest_element(contact_mesh_)) {}
 
 void FaceFaceContacts::find_candidates(ContactSearch& search, const ContactKinematics& kinematics,
                                        const Motion& motion) {
@@ -63,6 +82,7 @@ void FaceFaceContacts::remap(const ContactRemap& remap) {
   std::vector<std::size_t> before;
   candidates_ = transferred(candidates_, remap.faces, remap.faces, remap.n_faces_after, before);
   history_.remap(remap, before);
+  thickest_ = thickest_element(contact_mesh_);
   released_ = start_partners_.remap(remap.faces, remap.faces, remap.n_faces_after);
 }
 

@@ -18,10 +18,7 @@ namespace contactsim {
 /// A PointFormulation.
 class FaceFaceContacts {
  public:
-  explicit FaceFaceContacts(const FormulationSetup& setup)
-      : contact_mesh_(setup.contact_mesh),
-        rules_(setup.rules),
-        history_(setup.rules.has_friction(), setup.rules.may_hold()) {}
+  explicit FaceFaceContacts(const FormulationSetup& setup);
 
   void find_candidates(ContactSearch& search, const ContactKinematics& kinematics, const Motion& motion);
   /// Goes over to candidates, with what is remembered of pairs that were candidates before.
@@ -35,6 +32,7 @@ class FaceFaceContacts {
 
   void begin_step() { history_.begin_step(candidates_, contact_mesh_.faces.size()); }
   void undo_begin_step() { history_.undo_begin_step(); }
+  void begin_detection(const ContactStepContext& context);
   void detect(const ContactStepContext& context, CandidateRows rows, std::vector<ContactPoint>& points) const;
   void update(const ContactStepContext& context, CandidateRows rows, std::span<const ContactPoint> points) {
     if (rows.begin < rows.end) history_.update(context, candidates_, points);
@@ -75,6 +73,9 @@ class FaceFaceContacts {
     const PairRule& rule;
     PartnerCarry carry = {};
   };
+  /// Whether bounds alone say that two faces have nothing to do with each other. No more often than
+  /// detect_one() and add_pull().
+  bool are_far(const ContactStepContext& context, FaceIndex first, FaceIndex second) const;
   Candidate make_candidate(const ContactStepContext& context, FaceIndex first, std::size_t position) const;
   /// Two faces as they meet: carried along with each other, the offset taken off their gap, or the round
   /// surfaces that they stand for, whose gap is still to lose it.
@@ -151,6 +152,8 @@ class FaceFaceContacts {
   StartPartners<FaceIndex> start_partners_;
   std::vector<ReleasedPartner<FaceIndex>> released_;
   FaceFaceHistory history_;
+  double thickest_;            // element behind any face [length]
+  double widest_reach_ = 0.0;  // of all pairs in a step, but for what closes [length]
 };
 
 }  // namespace contactsim
