@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "contact/geometry/common_plane.hpp"
 
@@ -60,16 +61,22 @@ bool lie_in_strip(const ContactStepContext& context, FaceIndex face, const Ahead
   const ContactMesh& contact_mesh = context.kinematics.contact_mesh();
   const ContactFace& side = contact_mesh.faces[face];
   if (side.sharpness < min_rim) return false;
-  const Eigen::Vector3d normal = context.kinematics.area(side).normalized();
-  const Eigen::Vector3d centre =
-      0.25 * (context.kinematics.x(side.corners[0]) + context.kinematics.x(side.corners[1]) +
-              context.kinematics.x(side.corners[2]) + context.kinematics.x(side.corners[3]));
+  // Found where a face beyond a rim has touched something, which few have.
+  std::optional<FaceCorners> corners;
+  Eigen::Vector3d normal, centre;
+  const auto place_side = [&] {
+    if (corners) return;
+    corners = context.kinematics.face_corners(face);
+    normal = area_vector(*corners).normalized();
+    centre = 0.25 * (corners->col(0) + corners->col(1) + corners->col(2) + corners->col(3));
+  };
   for (const ContactNodeIndex corner : side.corners) {
-    const Eigen::Vector3d x = context.kinematics.x(corner);
     for (const FaceIndex beyond : contact_mesh.faces_of_node.of(corner)) {
-      if (contact_mesh.faces[beyond].surface != side.surface || beyond == face) continue;
       const double touched = flush_width(context, beyond);
       if (!(touched > 0.0)) continue;
+      if (contact_mesh.faces[beyond].surface != side.surface || beyond == face) continue;
+      place_side();
+      const Eigen::Vector3d x = context.kinematics.x(corner);
       const Eigen::Vector3d out = context.kinematics.area(contact_mesh.faces[beyond]).normalized();
       const double height = (x - centre).dot(out);
       if (out.dot(normal) > sharpest_smooth || !(height > 0.0)) continue;

@@ -92,15 +92,24 @@ ContactEdge make_edge(const ContactKinematics& start, const FaceEdge& one, const
   return edge;
 }
 
-/// Whether a direction away from a sharp edge is between the normals of its faces.
-bool is_between(const ContactKinematics& kinematics, const ContactEdge& edge,
-                const Eigen::Vector3d& direction, double least) {
-  const auto& faces = kinematics.contact_mesh().faces;
-  const Eigen::Vector3d a = kinematics.area(faces[(*edge.faces)[0]]).normalized();
-  const Eigen::Vector3d b = kinematics.area(faces[(*edge.faces)[1]]).normalized();
-  const double cosine = a.dot(b);
-  return direction.dot(a - cosine * b) > least && direction.dot(b - cosine * a) > least;
-}
+/// The wedge of directions between the normals of a sharp edge's faces: those of which both products with
+/// these vectors are positive.
+struct Wedge {
+  Eigen::Vector3d one, other;
+
+  Wedge(const ContactKinematics& kinematics, const ContactEdge& edge) {
+    const auto& faces = kinematics.contact_mesh().faces;
+    const Eigen::Vector3d a = kinematics.area(faces[(*edge.faces)[0]]).normalized();
+    const Eigen::Vector3d b = kinematics.area(faces[(*edge.faces)[1]]).normalized();
+    const double cosine = a.dot(b);
+    one = a - cosine * b;
+    other = b - cosine * a;
+  }
+  /// Whether a direction away from the edge is that far inside.
+  bool contains(const Eigen::Vector3d& direction, double least) const {
+    return direction.dot(one) > least && direction.dot(other) > least;
+  }
+};
 
 std::optional<EdgeGap> gap_of_sharp(const ContactKinematics& kinematics, const ContactEdge& first,
                                     const ContactEdge& second, const Eigen::Vector3d& apart, bool beside) {
@@ -112,9 +121,13 @@ std::optional<EdgeGap> gap_of_sharp(const ContactKinematics& kinematics, const C
   normal /= std::sqrt(square);
   // At their ends edges do not cross: the way between them is not along the normal.
   if ((apart - apart.dot(normal) * normal).norm() > just_beside * (p.norm() + q.norm())) return std::nullopt;
+  const Wedge of_second(kinematics, second);
+  std::optional<Wedge> of_first;
   const auto meet = [&](double least) {
-    if (!is_between(kinematics, second, normal, least)) normal = -normal;
-    return is_between(kinematics, second, normal, least) && is_between(kinematics, first, -normal, least);
+    if (!of_second.contains(normal, least)) normal = -normal;
+    if (!of_second.contains(normal, least)) return false;
+    if (!of_first) of_first.emplace(kinematics, first);
+    return of_first->contains(-normal, least);
   };
   const bool is_of_faces = !meet(well_between);
   if (is_of_faces && (!beside || !meet(just_between))) return std::nullopt;
@@ -259,8 +272,10 @@ std::optional<EdgeGap> find_edge_gap(const ContactKinematics& kinematics, const 
   if (distance == 0.0) return std::nullopt;
   const EdgeGap found{apart / distance,
                       distance - first.radius_at(pair_point.s) - second.radius_at(pair_point.t)};
-  if (first.is_sharp() && !is_between(kinematics, first, -found.normal, just_between)) return std::nullopt;
-  if (second.is_sharp() && !is_between(kinematics, second, found.normal, just_between)) return std::nullopt;
+  if (first.is_sharp() && !Wedge(kinematics, first).contains(-found.normal, just_between))
+    return std::nullopt;
+  if (second.is_sharp() && !Wedge(kinematics, second).contains(found.normal, just_between))
+    return std::nullopt;
   return found;
 }
 
