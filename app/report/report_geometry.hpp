@@ -22,9 +22,9 @@ struct ReportFace {
   ElementIndex element;
   int side = 1;  ///< Exodus side number; 1 of a shell, which is drawn once
   std::uint32_t block = 0;
-  std::uint32_t owner = 0;                   ///< position in ReportGeometry::owners plus 1; 0: of no surface
-  std::uint32_t claims = 0;                  ///< position in ReportGeometry::lost
-  std::uint32_t shown_from = 0;              ///< position of a stored time
+  std::uint32_t owner = 0;       ///< position in ReportGeometry::owners plus 1; 0: of no surface
+  std::uint32_t claims = 0;      ///< position in ReportGeometry::lost
+  std::uint32_t shown_from = 0;  ///< position of a stored time
   OptionalIndex<std::uint32_t> hidden_from = {};  ///< the same; none without deaths
 };
 
