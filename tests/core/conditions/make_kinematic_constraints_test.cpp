@@ -25,7 +25,7 @@ std::string constraint_messages(const std::string& lines) {
 class RigidScope {
  public:
   explicit RigidScope(const std::string& lines) : mesh_(constrained_cube()), deck_(mesh_, lines) {
-    rigid_.body_of = {0, 0, 0, 1, 1, -1, -1, -1};
+    rigid_.body_of = {{0}, {0}, {0}, {1}, {1}, {}, {}, {}};
     rigid_.counts = {3, 2};
     rigid_.names = {"a", "b"};
     MeshParts parts;

@@ -51,7 +51,7 @@ TEST_CASE("nearly parallel modes are told apart all the same", "[core][statics]"
 }
 
 TEST_CASE("nodes are listed group by group, those without one left out", "[core][statics]") {
-  constexpr std::uint32_t none = Aggregates::none;
+  constexpr std::nullopt_t none = std::nullopt;
   const GroupNodes list = list_nodes({{1, none, 0, 1, 0, none, 3}, 4});
   CHECK(list.first == std::vector<std::size_t>{0, 2, 4, 4, 5});
   CHECK(list.nodes == std::vector<std::uint32_t>{2, 4, 0, 3, 6});
@@ -60,7 +60,7 @@ TEST_CASE("nodes are listed group by group, those without one left out", "[core]
 }
 
 TEST_CASE("every group has the columns of its own nodes and hands its modes on", "[core][statics]") {
-  const Aggregates groups{{0, 1, 1, Aggregates::none, 0, 1, 0}, 2};
+  const Aggregates groups{{0, 1, 1, std::nullopt, 0, 1, 0}, 2};
   const Modes modes = make_rigid_modes(scattered_places(7));
   const GroupColumns<3> columns = make_group_columns<3>(groups, modes);
   REQUIRE(columns.of_node.size() == 7);
@@ -68,7 +68,7 @@ TEST_CASE("every group has the columns of its own nodes and hands its modes on",
   CHECK(columns.of_node[3].isZero(0.0));
   for (std::uint32_t node = 0; node < 7; ++node) {
     if (node == 3) continue;
-    const auto coarse = columns.coarse_modes.middleRows<6>(6 * Eigen::Index{groups.of_node[node]});
+    const auto coarse = columns.coarse_modes.middleRows<6>(6 * Eigen::Index{*groups.of_node[node]});
     CHECK((columns.of_node[node] * coarse).isApprox(modes.middleRows<3>(3 * Eigen::Index{node}), 1e-13));
   }
 }
