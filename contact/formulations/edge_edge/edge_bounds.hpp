@@ -11,10 +11,6 @@
 
 namespace contactsim {
 
-/// Square of the sine of the angle from which on sharp edges cross, and how far beside each other they still
-/// do, over their lengths [1]: less strict than find_edge_gap().
-inline constexpr double may_cross_sine_squared = 0.02, may_cross_beside = 1e-4;
-
 /// Where edges are, in half a cache line each: enough to see that most candidates do not cross.
 class EdgeBounds {
  public:
@@ -37,8 +33,9 @@ class EdgeBounds {
 
 inline bool EdgeBounds::may_cross(EdgeIndex first, EdgeIndex second) const {
   const Bound &a = bounds_[first], &b = bounds_[second];
-  constexpr auto sine_squared = static_cast<float>(0.999 * may_cross_sine_squared);
-  constexpr auto beside = static_cast<float>(1.001 * may_cross_beside);
+  // From which angle on edges cross, and how far beside each other they still do over their lengths [1]: less
+  // strict than find_edge_gap().
+  constexpr float sine_squared = 0.02f, beside = 1e-4f;
   const Eigen::Vector3f normal = a.along.cross(b.along), apart = b.from - a.from;
   const float square = normal.squaredNorm(), lengths = a.length * b.length;
   // Comparisons with what is not a number are false.

@@ -56,26 +56,20 @@ bool backs_up_nodes(const PairRule& rule) {
          pair.behavior != InteractionBehavior::infinitesimal_sliding && !pair.gap.needs_start();
 }
 
-/// Whether two sharp edges may cross, seen along the normal of both, near enough to touch soon. Says yes
+/// Whether two sharp edges that may cross are near enough, along the normal of both, to touch soon. Says yes
 /// rather too often.
 ///   dt_ahead  within which they may close [time]
 ///   offset    taken off their gap at most [length]
-bool may_cross(const ContactKinematics& kinematics, const ContactEdge& first, const ContactEdge& second,
+bool may_reach(const ContactKinematics& kinematics, const ContactEdge& first, const ContactEdge& second,
                double dt_ahead, double offset) {
   const Eigen::Vector3d a = kinematics.x(first.nodes[0]), b = kinematics.x(second.nodes[0]);
-  const Eigen::Vector3d p = kinematics.x(first.nodes[1]) - a, q = kinematics.x(second.nodes[1]) - b;
-  const Eigen::Vector3d normal = p.cross(q), apart = b - a;
-  const double square = normal.squaredNorm();
-  if (!(square > may_cross_sine_squared * p.squaredNorm() * q.squaredNorm())) return false;
-  const double s = apart.cross(q).dot(normal), t = apart.cross(p).dot(normal);
-  if (s < -may_cross_beside * square || s > (1.0 + may_cross_beside) * square) return false;
-  if (t < -may_cross_beside * square || t > (1.0 + may_cross_beside) * square) return false;
+  const Eigen::Vector3d normal = (kinematics.x(first.nodes[1]) - a).cross(kinematics.x(second.nodes[1]) - b);
   const auto v = [&](const ContactEdge& edge, std::size_t k) { return kinematics.v(edge.nodes[k]); };
   double speed = 0.0;
   for (std::size_t k = 0; k < 4; ++k) speed = std::max(speed, (v(first, k / 2) - v(second, k % 2)).norm());
-  const double height = apart.dot(normal),
+  const double height = (b - a).dot(normal),
                reach = first.penalty_properties.thickness + offset + speed * dt_ahead;
-  return height * height <= reach * reach * square;
+  return height * height <= reach * reach * normal.squaredNorm();
 }
 
 }  // namespace
@@ -197,7 +191,7 @@ void EdgeEdgeContacts::detect_one(const ContactStepContext& context, EdgeIndex f
   const GapOffsets& offsets = context.rules.gap_offsets();
   // What touched nothing holds no slip.
   if (are_sharp && before == 0.0 &&
-      !may_cross(context.kinematics, first, second, context.ahead(), context.rules.largest_reach()))
+      !may_reach(context.kinematics, first, second, context.ahead(), context.rules.largest_reach()))
     return;
   const PairIndex pair = *context.rules.find(first.surface, second.surface);
   const PairRule& rule = context.rules.of_edges(pair, first_edge, second_edge);
