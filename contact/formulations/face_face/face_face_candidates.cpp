@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "contact/formulations/contact_point_law.hpp"
 #include "contact/formulations/face_face/face_face_contacts.hpp"
 #include "contact/formulations/near_pairs.hpp"
 #include "contact/formulations/start_gaps.hpp"
@@ -10,12 +11,16 @@ namespace contactsim {
 
 namespace {
 
-/// Of those behind faces [length].
-double thickest_element(const ContactMesh& contact_mesh) {
+/// The largest distance along the normal at which faces of any pair have to do with each other while nothing
+/// moves, but for what is taken off their gaps [length].
+double widest_reach(const ContactMesh& contact_mesh, const PairRules& rules) {
   double thickest = 0.0;
   for (const ContactFace& face : contact_mesh.faces)
     thickest = std::max(thickest, face.penalty_properties.thickness);
-  return thickest;
+  double widest = closed_share * thickest;
+  for (const PairIndex pair : indices(rules.rules()))
+    widest = std::max({widest, rules[pair].pair->held_gap(thickest), rules.max_activation_distance(pair)});
+  return widest;
 }
 
 }  // namespace
@@ -24,7 +29,7 @@ FaceFaceContacts::FaceFaceContacts(const FormulationSetup& setup)
     : contact_mesh_(setup.contact_mesh),
       rules_(setup.rules),
       history_(setup.rules.has_friction(), setup.rules.may_hold()),
-      thickest_(thickest_element(contact_mesh_)) {}
+      widest_reach_(widest_reach(contact_mesh_, rules_)) {}
 
 void FaceFaceContacts::find_candidates(ContactSearch& search, const ContactKinematics& kinematics,
                                        const Motion& motion) {
@@ -82,7 +87,7 @@ void FaceFaceContacts::remap(const ContactRemap& remap) {
   std::vector<std::size_t> before;
   candidates_ = transferred(candidates_, remap.faces, remap.faces, remap.n_faces_after, before);
   history_.remap(remap, before);
-  thickest_ = thickest_element(contact_mesh_);
+  widest_reach_ = widest_reach(contact_mesh_, rules_);
   released_ = start_partners_.remap(remap.faces, remap.faces, remap.n_faces_after);
 }
 

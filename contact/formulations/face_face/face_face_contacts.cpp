@@ -49,21 +49,11 @@ FaceFaceContact contact_of(const OverlapShare& share, const MovingFace& first, c
 
 }  // namespace
 
-void FaceFaceContacts::begin_detection(const ContactStepContext& context) {
-  widest_reach_ = closed_share * thickest_;
-  for (const PairIndex pair : indices(context.rules.rules())) {
-    const SurfacePair& of = *context.rules[pair].pair;
-    widest_reach_ =
-        std::max({widest_reach_, of.held_gap(thickest_), context.rules.max_activation_distance(pair)});
-  }
-  widest_reach_ += context.rules.largest_reach();
-}
-
 bool FaceFaceContacts::are_far(const ContactStepContext& context, FaceIndex first, FaceIndex second) const {
   if (context.is_static || !start_partners_.empty()) return false;
   const FaceBound &a = context.kinematics.bound(first), &b = context.kinematics.bound(second);
   const double closing = above_zero((b.velocity() - a.velocity()).dot(b.normal()));
-  return !may_touch(a, b, closing * context.ahead() + widest_reach_);
+  return !may_touch(a, b, closing * context.ahead() + widest_reach_ + context.rules.largest_reach());
 }
 
 void FaceFaceContacts::detect(const ContactStepContext& context, CandidateRows rows,

@@ -32,7 +32,6 @@ class FaceFaceContacts {
 
   void begin_step() { history_.begin_step(candidates_, contact_mesh_.faces.size()); }
   void undo_begin_step() { history_.undo_begin_step(); }
-  void begin_detection(const ContactStepContext& context);
   void detect(const ContactStepContext& context, CandidateRows rows, std::vector<ContactPoint>& points) const;
   void update(const ContactStepContext& context, CandidateRows rows, std::span<const ContactPoint> points) {
     if (rows.begin < rows.end) history_.update(context, candidates_, points);
@@ -152,8 +151,7 @@ class FaceFaceContacts {
   StartPartners<FaceIndex> start_partners_;
   std::vector<ReleasedPartner<FaceIndex>> released_;
   FaceFaceHistory history_;
-  double thickest_;            // element behind any face [length]
-  double widest_reach_ = 0.0;  // of all pairs in a step, but for what closes [length]
+  double widest_reach_;  // of all pairs, but for what closes and what is taken off gaps [length]
 };
 
 }  // namespace contactsim
