@@ -73,6 +73,7 @@ ContactSearch::ContactSearch(const ContactMesh& contact_mesh, const Mesh& mesh, 
     const bool is_node_face = rule.pair->formulation == ConstraintFormulation::node_face;
     (is_node_face ? has_node_pairs_ : has_face_pairs_) = true;
     has_small_sliding_ |= rule.pair->behavior == InteractionBehavior::infinitesimal_sliding;
+    has_to_face_.push_back(has_to_face(rule) ? 1 : 0);
   }
   const auto is_sphere = [](const SurfaceNode& node) { return node.radius > 0.0f; };
   has_node_pairs_ = has_node_pairs_ || std::ranges::any_of(contact_mesh.surface_nodes, is_sphere);
@@ -199,8 +200,6 @@ void ContactSearch::find_face_pairs(const ContactKinematics& kinematics, const M
   }
   if (!has_face_pairs_) return;
   turned_away_.begin(kinematics);
-  has_to_face_.clear();
-  for (const PairRule& rule : rules_.rules()) has_to_face_.push_back(has_to_face(rule) ? 1 : 0);
   faces_phase_.find_pairs([&](FaceIndex a, FaceIndex b) { return faces_may_meet(kinematics, a, b); },
                           partners);
   if (has_small_sliding_)

@@ -160,6 +160,7 @@ class ContactSearch {
   bool has_face_pairs_ = false, has_node_pairs_ = false, has_small_sliding_ = false;
   bool has_eroded_nodes_ = false;
   bool has_start_reach_ = false, reaches_for_start_ = true;
+  IndexedVector<PairIndex, std::uint8_t> has_to_face_;                    // [n_pairs] see has_to_face()
   IndexedVector<SurfaceIndex, double> activation_distance_;               // of the models [length]
   IndexedVector<PairIndex, double> least_reach_;                          // or empty [length]
   IndexedVector<FaceIndex, float> face_margin_;                           // [length]
@@ -170,7 +171,6 @@ class ContactSearch {
       searched_at_;  // [n_contact_nodes] where the last search was, from there [length]
   BroadPhase faces_phase_, nodes_phase_, edges_phase_;
   FacesTurnedAway turned_away_;
-  IndexedVector<PairIndex, std::uint8_t> has_to_face_;  // of the search that goes on
   // Of the first search, if pairs keep their partners.
   FacePairLists first_face_partners_;
   NodeFaceLists first_node_faces_;
