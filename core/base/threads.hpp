@@ -66,14 +66,7 @@ Value parallel_min(Size n, int n_threads, Value start, const Function& function)
 /// The largest of start and function(i) for every i below n.
 template <class Size, class Value, class Function>
 Value parallel_max(Size n, int n_threads, Value start, const Function& function) {
-  Value most = start;
-  if (n_threads == 1) {
-    for (Size i = 0; i < n; ++i) most = std::max(most, function(i));
-    return most;
-  }
-#pragma omp parallel for schedule(static) num_threads(n_threads) reduction(max : most)
-  for (Size i = 0; i < n; ++i) most = std::max(most, function(i));
-  return most;
+  return -parallel_min(n, n_threads, -start, [&](Size i) { return -function(i); });
 }
 
 }  // namespace contactsim
