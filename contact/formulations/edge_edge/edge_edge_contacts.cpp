@@ -96,8 +96,7 @@ bool EdgeEdgeContacts::owns(const ContactStepContext& context, EdgeIndex index, 
 void EdgeEdgeContacts::update(const ContactStepContext& /*context*/, CandidateRows /*rows*/,
                               std::span<const ContactPoint> points) {
   for (const ContactPoint& point : points) {
-    const std::size_t candidate = candidates_.position(point.first_edge(), point.second_edge());
-    slips_now_[candidate][point.part] = point.elastic_slip;
+    slips_now_.add({point.first_edge(), point.second_edge(), point.part}, point.elastic_slip);
     if (!point.is_met()) continue;
     const float depth = std::max(static_cast<float>(-point.gap), std::numeric_limits<float>::min());
     for (const EdgeIndex edge : {point.first_edge(), point.second_edge()})
@@ -177,14 +176,14 @@ void EdgeEdgeContacts::detect(const ContactStepContext& context, CandidateRows r
                               std::vector<ContactPoint>& points) const {
   for (const EdgeIndex row : rows.indices<EdgeIndex>()) {
     for (std::size_t k = candidates_.first_pair(row); k < candidates_.end_pair(row); ++k) {
-      if (bounds_.may_cross(row, candidates_.partner(k))) detect_one(context, row, k, points);
+      const EdgeIndex partner = candidates_.partner(k);
+      if (bounds_.may_cross(row, partner)) detect_one(context, row, partner, points);
     }
   }
 }
 
 void EdgeEdgeContacts::detect_one(const ContactStepContext& context, EdgeIndex first_edge,
-                                  std::size_t candidate, std::vector<ContactPoint>& points) const {
-  const EdgeIndex second_edge = candidates_.partner(candidate);
+                                  EdgeIndex second_edge, std::vector<ContactPoint>& points) const {
   const ContactEdge &first = contact_mesh_.edges[first_edge], &second = contact_mesh_.edges[second_edge];
   const double before = std::max(depth_before_[first_edge], depth_before_[second_edge]);
   const bool are_sharp = first.is_sharp() && second.is_sharp();
@@ -217,7 +216,7 @@ void EdgeEdgeContacts::detect_one(const ContactStepContext& context, EdgeIndex f
     point.first_entity = first_edge.value;
     point.second_entity = second_edge.value;
     if (point.touches() && rule.friction > 0.0) {
-      point.elastic_slip = slips_before_[candidate][i];
+      point.elastic_slip = slips_before_.find({first_edge, second_edge, point.part});
       const double stiffness =
           make_pair_penalty(first.penalty_properties, &second.penalty_properties, *rule.pair).stiffness;
       add_friction(stiffness * point.area, rule.slip_limit(point, context.dt), point);

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <array>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "contact/formulations/contact_formulation.hpp"
 #include "contact/formulations/edge_edge/edge_bounds.hpp"
+#include "contact/formulations/edge_edge/edge_slips.hpp"
 #include "contact/geometry/edge_edge.hpp"
 #include "contact/mesh/pair_lists.hpp"
 
@@ -21,9 +22,9 @@ class EdgeEdgeContacts {
   explicit EdgeEdgeContacts(const FormulationSetup& setup);
 
   void find_candidates(ContactSearch& search, const ContactKinematics& kinematics, const Motion& motion);
-  /// Goes over to candidates, with what is remembered of pairs that were candidates before.
+  /// Goes over to candidates.
   ///   candidates  rows of edges with others of greater number
-  void take_candidates(EdgePairLists candidates);
+  void take_candidates(EdgePairLists candidates) { candidates_ = std::move(candidates); }
   std::size_t n_rows() const { return candidates_.n_rows(); }
   std::size_t n_candidates() const { return candidates_.partners.size(); }
   /// Edges need no bounds of faces.
@@ -46,8 +47,6 @@ class EdgeEdgeContacts {
 
  private:
   void swap_steps();
-  /// Slip that is held at the one or two contact points of a pair [length].
-  using ElasticSlips = std::array<Eigen::Vector3d, 2>;
   struct Pair {
     const ContactEdge &first, &second;
     const PairRule& rule;
@@ -56,7 +55,7 @@ class EdgeEdgeContacts {
     double offset = 0.0;  ///< taken off the gap [length]
   };
 
-  void detect_one(const ContactStepContext& context, EdgeIndex first, std::size_t candidate,
+  void detect_one(const ContactStepContext& context, EdgeIndex first, EdgeIndex second,
                   std::vector<ContactPoint>& points) const;
   /// Whether ties hold faces or nodes of two sharp edges together.
   bool are_held(const ContactStepContext& context, PairIndex pair, EdgeIndex first, EdgeIndex second) const;
@@ -73,8 +72,7 @@ class EdgeEdgeContacts {
   EdgePairLists candidates_;
   EdgeBounds bounds_;                                     // of the step
   PairLists<ContactNodeIndex, EdgeIndex> edges_of_node_;  // [n_contact_nodes] round ones, by first_alike
-  // [n_candidates] in the last step and in this one
-  std::vector<ElasticSlips> slips_before_, slips_now_;
+  EdgeSlips slips_before_, slips_now_;                    // in the last step and in this one
   // Penetration, 0 where nothing touches, in the last step and in this one [length]
   IndexedVector<EdgeIndex, float> depth_before_, depth_now_;
 };
