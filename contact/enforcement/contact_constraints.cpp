@@ -186,11 +186,53 @@ LightAnswer ContactConstraints::answer(std::uint32_t light_point, const Eigen::V
   return answer;
 }
 
-void ContactConstraints::push_forces() {
-  visit_rows([this](const Group& group, std::uint32_t i) {
-    rows_[i].ahead = rows_[i].force;
-    carriers_.push(group.terms, weights_[i], rows_[i].ahead);
+/// Sums of visit(group, row, sums) over all points, by chunks: the same bits for any number of threads.
+template <class Sums, class Visit>
+Sums ContactConstraints::sum_rows(int n_threads, const Visit& visit) const {
+  const std::size_t n_chunks = (groups_.size() + groups_per_chunk - 1) / groups_per_chunk;
+  std::vector<Sums> parts(n_chunks);
+  parallel_for(n_chunks, n_threads, [&](std::size_t i) {
+    const std::size_t begin = i * groups_per_chunk;
+    const std::size_t n = std::min(groups_per_chunk, groups_.size() - begin);
+    visit_rows(std::span(groups_).subspan(begin, n),
+               [&](const Group& group, std::uint32_t row) { visit(group, row, parts[i]); });
   });
+  Sums sums;
+  for (const Sums& part : parts) sums += part;
+  return sums;
+}
+
+void ContactConstraints::begin_passes() {
+  if (threads() == 1) return;
+  pushes_.make(carriers_.n_carriers(), [this](const auto& take) {
+    visit_rows([&](const Group& group, std::uint32_t row) {
+      carriers_.visit_pushes(group.terms, weights_[row], row, take);
+    });
+  });
+}
+
+/// Gives each point the force that it is to push with, find_force(group, row, sums), and pushes the carriers.
+/// One thread pushes point by point, several carrier by carrier: each carrier's pushes come in the same
+/// order.
+template <class FindForce>
+ConstraintPass ContactConstraints::push_rows(const FindForce& find_force) {
+  const int n_threads = threads();
+  if (n_threads == 1) {
+    return sum_rows<ConstraintPass>(1, [&](const Group& group, std::uint32_t i, ConstraintPass& sums) {
+      find_force(group, i, sums);
+      carriers_.push(group.terms, weights_[i], rows_[i].ahead);
+    });
+  }
+  const ConstraintPass sums = sum_rows<ConstraintPass>(n_threads, find_force);
+  parallel_for(pushes_.n_carriers(), n_threads, [&](std::size_t carrier) {
+    for (const PushLists::Push& push : pushes_.of(carrier))
+      carriers_.push(static_cast<std::uint32_t>(carrier), push, rows_[push.row].ahead);
+  });
+  return sums;
+}
+
+void ContactConstraints::push_forces() {
+  push_rows([this](const Group&, std::uint32_t i, ConstraintPass&) { rows_[i].ahead = rows_[i].force; });
 }
 
 double ContactConstraints::slip_limit(const Row& row, const NodeVector& changed, double normal_force) const {
@@ -228,15 +270,12 @@ NodeVector ContactConstraints::next_force(const NodeVector& normal, const Row& r
 }
 
 ConstraintPass ContactConstraints::pass(double momentum, const LightCarriers& light) {
-  ConstraintPass sums;
-  visit_rows([&](const Group& group, std::uint32_t i) {
+  return push_rows([&](const Group& group, std::uint32_t i, ConstraintPass& sums) {
     Row& row = rows_[i];
     NodeVector velocity = carriers_.change(group.terms, weights_[i]);
     if (row.light) velocity += node_vector(light.velocity(*row.light));
     sums.take(row, next_force(group.normal, row, dt_ * velocity), momentum);
-    carriers_.push(group.terms, weights_[i], row.ahead);
   });
-  return sums;
 }
 
 /// The velocity of the first side against the second, in the step before or in the coming one without these
@@ -259,12 +298,16 @@ Eigen::Vector3d ContactConstraints::relative_velocity(const ContactPoint& contac
 }
 
 ContactLoss ContactConstraints::finish() {
-  ContactLoss loss;
+  std::vector<std::optional<ContactHistory::Entry>> entries(rows_.size());
+  const auto loss =
+      sum_rows<ContactLoss>(threads(), [&](const Group& group, std::uint32_t i, ContactLoss& sums) {
+        entries[i] = finish(rows_[i], rows_[i].force.dot(group.normal),
+                            dt_ * carriers_.change(group.terms, weights_[i]), sums);
+      });
   history_.begin();
-  visit_rows([&](const Group& group, std::uint32_t i) {
-    finish(rows_[i], rows_[i].force.dot(group.normal), dt_ * carriers_.change(group.terms, weights_[i]),
-           loss);
-  });
+  for (std::size_t i = 0; i < rows_.size(); ++i) {
+    if (entries[i]) history_.remember(points_[rows_[i].point], *entries[i]);
+  }
   history_.end();
   begins_pressed_ = goes_on_ = false;
   return loss;
@@ -281,16 +324,16 @@ double ContactConstraints::lost_before(const Eigen::Vector3d& force, const Conta
   return 0.25 * force.dot(2.0 * dt_ * begun + changed);
 }
 
-void ContactConstraints::finish(const Row& row, double force, const NodeVector& change, ContactLoss& loss) {
+/// Gives the point of a row its force, and what it loses. Returns what is to be known of it in the next step.
+std::optional<ContactHistory::Entry> ContactConstraints::finish(const Row& row, double force,
+                                                                const NodeVector& change, ContactLoss& loss) {
   ContactPoint& point = points_[row.point];
   if (!(row.pulls ? force != 0.0 : force > 0.0)) {
-    if (row.zero_gap < 0.0) {
-      ContactHistory::Entry begun;
-      begun.area = point.area;
-      begun.zero_gap = row.zero_gap;
-      history_.remember(point, begun);
-    }
-    return;
+    if (!(row.zero_gap < 0.0)) return std::nullopt;
+    ContactHistory::Entry begun;
+    begun.area = point.area;
+    begun.zero_gap = row.zero_gap;
+    return begun;
   }
   const Eigen::Vector3d before = dt_before_ * relative_velocity(point, true), changed = change.head<3>();
   const double impact_before = lost_before(force * point.normal, point, before, changed),
@@ -325,7 +368,7 @@ void ContactConstraints::finish(const Row& row, double force, const NodeVector& 
     entry.traction = tangential / point.area;
     entry.held = point.elastic_slip;
   }
-  history_.remember(point, entry);
+  return entry;
 }
 
 }  // namespace contactsim

@@ -11,16 +11,26 @@
 #include "contact/enforcement/constraint_pass.hpp"
 #include "contact/enforcement/contact_history.hpp"
 #include "contact/enforcement/point_carriers.hpp"
+#include "contact/enforcement/push_lists.hpp"
 #include "contact/enforcement/recovery_energy.hpp"
 #include "contact/formulations/contact_step_context.hpp"
 #include "contact/geometry/contact_point.hpp"
 #include "core/base/optional_index.hpp"
+#include "core/base/threads.hpp"
 
 namespace contactsim {
 
 /// Lost in half of the step before and in half of the coming one, to friction and where sides met [energy].
 struct ContactLoss {
   double friction_before = 0.0, friction_after = 0.0, impact_before = 0.0, impact_after = 0.0;
+
+  ContactLoss& operator+=(const ContactLoss& other) {
+    friction_before += other.friction_before;
+    friction_after += other.friction_after;
+    impact_before += other.impact_before;
+    impact_after += other.impact_after;
+    return *this;
+  }
 };
 
 /// The contact points of a step as constraints: none penetrates at its end. Forces push only, but where what
@@ -51,6 +61,8 @@ class ContactConstraints {
   void add_rows(LightCarriers& light);
   /// What the point of such a row answers to a velocity of its light carriers.
   LightAnswer answer(std::uint32_t light_point, const Eigen::Vector3d& velocity) const;
+  /// To be called once all is added, softness is set and recovery limited: passes may begin.
+  void begin_passes();
   /// Pushes the carriers by the forces of the last pass, which the next one looks at: without momentum.
   void push_forces();
   /// Finds the next forces, and pushes the carriers by what the pass after looks at: by the momentum beyond.
@@ -105,14 +117,26 @@ class ContactConstraints {
     double softness = 0.0;                           // slip per force, as of the normal [length/force]
   };
 
-  /// Calls visit(group, row) for each point, in their order.
+  /// Groups that are worked on as one piece, alike for any number of threads.
+  static constexpr std::size_t groups_per_chunk = 64;
+
+  /// Calls visit(group, row) for each point of some groups, in their order.
   template <class Visit>
-  void visit_rows(const Visit& visit) const {
-    for (const Group& group : groups_) {
+  static void visit_rows(std::span<const Group> groups, const Visit& visit) {
+    for (const Group& group : groups) {
       for (std::uint32_t row = group.first_row; row < group.first_row + group.n_rows; ++row)
         visit(group, row);
     }
   }
+  template <class Visit>
+  void visit_rows(const Visit& visit) const {
+    visit_rows(groups_, visit);
+  }
+  int threads() const { return threads_for(10 * rows_.size()); }
+  template <class Sums, class Visit>
+  Sums sum_rows(int n_threads, const Visit& visit) const;
+  template <class FindForce>
+  ConstraintPass push_rows(const FindForce& find_force);
   bool is_of_last_group(const ContactPoint& contact_point) const;
   void add_friction(const ContactPoint& contact_point, const PairRule& rule, Row& row);
   void spread_over_faces();
@@ -128,6 +152,7 @@ class ContactConstraints {
   double slip_softness(const Group& group, std::uint32_t row, const LeaningAreas& areas) const;
   double softness(const Group& group, std::uint32_t row, const LeaningAreas& areas,
                   const LightCarriers& light, double least) const;
+  void drop_held();
   double slip_limit(const Row& row, const NodeVector& changed, double normal_force) const;
   double pressing(const NodeVector& normal, const Row& row, const NodeVector& changed) const;
   NodeVector next_force(const NodeVector& normal, const Row& row, const NodeVector& changed) const;
@@ -136,7 +161,8 @@ class ContactConstraints {
   Eigen::Vector3d relative_velocity(const ContactPoint& contact_point, bool is_before) const;
   double lost_before(const Eigen::Vector3d& force, const ContactPoint& point, const Eigen::Vector3d& before,
                      const Eigen::Vector3d& changed) const;
-  void finish(const Row& row, double force, const NodeVector& change, ContactLoss& loss);
+  std::optional<ContactHistory::Entry> finish(const Row& row, double force, const NodeVector& change,
+                                              ContactLoss& loss);
 
   PointCarriers carriers_;
   const ContactKinematics* kinematics_ = nullptr;
@@ -145,6 +171,7 @@ class ContactConstraints {
   std::vector<Group> groups_;
   std::vector<Row> rows_;
   std::vector<Weights> weights_;                                      // [n_rows]
+  PushLists pushes_;                                                  // of several threads
   std::vector<std::pair<const Group*, std::uint32_t>> light_points_;  // with rows, of light carriers
   std::vector<Grip> grips_;
   ContactHistory history_;

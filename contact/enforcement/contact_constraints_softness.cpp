@@ -47,17 +47,27 @@ double ContactConstraints::slip_softness(const Group& group, std::uint32_t row,
 }
 
 void ContactConstraints::set_softness(const LeaningAreas& areas, const LightCarriers& light, double least) {
+  const auto set = [&](const Group& group) {
+    visit_rows({&group, 1}, [&](const Group&, std::uint32_t i) {
+      Row& row = rows_[i];
+      row.softness = softness(group, i, areas, light, least);
+      if (row.grip)
+        grips_[*row.grip].softness = light.empty() ? row.softness : slip_softness(group, i, areas);
+    });
+  };
+  parallel_for(groups_.size(), threads(), [&](std::size_t i) { set(groups_[i]); });
+  drop_held();
+}
+
+/// Takes off the points that have no softness.
+void ContactConstraints::drop_held() {
   std::uint32_t n_kept = 0;
   for (Group& group : groups_) {
     const std::uint32_t first = group.first_row, end = first + group.n_rows;
     group.first_row = n_kept;
     for (std::uint32_t i = first; i < end; ++i) {
-      Row& row = rows_[i];
-      row.softness = softness(group, i, areas, light, least);
-      if (!(row.softness > 0.0)) continue;
-      if (row.grip)
-        grips_[*row.grip].softness = light.empty() ? row.softness : slip_softness(group, i, areas);
-      rows_[n_kept] = row;
+      if (!(rows_[i].softness > 0.0)) continue;
+      rows_[n_kept] = rows_[i];
       weights_[n_kept++] = weights_[i];
     }
     group.n_rows = n_kept - group.first_row;

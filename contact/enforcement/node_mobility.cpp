@@ -7,6 +7,7 @@
 #include <cmath>
 #include <utility>
 
+#include "core/base/threads.hpp"
 #include "core/dynamics/model.hpp"
 #include "core/elements/minimum_nodal_mass.hpp"
 
@@ -244,12 +245,21 @@ void NodeMobility::begin_passes() {
   first_ = next_;
   now_ = next_;
   turn_rings(now_);
+  turns_ =
+      std::ranges::any_of(carriers_, [](const Carrier& carrier) { return carrier.general || carrier.ring; });
 }
 
 void NodeMobility::end_pass() {
   std::swap(now_, next_);
   turn_rings(now_);
-  next_ = first_;
+  parallel_for_ranges(std::ssize(carriers_), threads_for(carriers_.size()),
+                      [this](std::int64_t begin, std::int64_t end) {
+                        const auto begin_again = [&](const auto& first, auto& next) {
+                          std::copy(first.begin() + begin, first.begin() + end, next.begin() + begin);
+                        };
+                        begin_again(first_.changes, next_.changes);
+                        if (turns_) begin_again(first_.turnings, next_.turnings);
+                      });
 }
 
 /// The change of velocity by a force over the coming step.

@@ -134,6 +134,7 @@ class NodeMobility {
   std::vector<Ring> rings_;                // of the step
   std::vector<std::uint32_t> ring_carriers_;
   Changes first_, now_, next_;  // before any pass, of the last one, of the one that runs
+  bool turns_ = false;          // some carrier of the passes does
   double half_steps_ = 0.0;     // a force acts for [time]
 };
 

@@ -7,6 +7,7 @@
 
 #include "contact/enforcement/constraint_pass.hpp"
 #include "contact/enforcement/node_mobility.hpp"
+#include "contact/enforcement/push_lists.hpp"
 #include "contact/geometry/contact_point.hpp"
 #include "core/base/optional_index.hpp"
 
@@ -63,6 +64,13 @@ class PointCarriers {
   /// Pushes the carriers by a force on the first side, and its opposite on the second.
   void push(const Terms& terms, const Weights& weights, const NodeVector& force);
 
+  std::size_t n_carriers() const { return mobility_.n_carriers(); }
+  /// Calls take(carrier, push) for each carrier of a row that such a force pushes.
+  template <class Take>
+  void visit_pushes(const Terms& terms, const Weights& weights, std::uint32_t row, const Take& take) const;
+  /// Pushes one of them.
+  void push(std::uint32_t carrier, const PushLists::Push& push, const NodeVector& force);
+
  private:
   NodeMobility& mobility_;
   std::vector<Eigen::Vector3d> arms_;  // of carriers that are not plain, times the weight [length]
@@ -88,6 +96,26 @@ inline void PointCarriers::push(const Terms& terms, const Weights& weights, cons
   const Eigen::Vector3d whole = force.head<3>();
   for (std::size_t i = 0; i < terms.n_terms; ++i)
     mobility_.push(terms.carriers[i], weights[i] * whole, arm(terms, i).cross(whole));
+}
+
+template <class Take>
+void PointCarriers::visit_pushes(const Terms& terms, const Weights& weights, std::uint32_t row,
+                                 const Take& take) const {
+  for (std::uint32_t i = 0; i < terms.n_terms; ++i) {
+    PushLists::Push push{weights[i], row, {}};
+    if (terms.first_arm) push.arm = *terms.first_arm + i;
+    take(terms.carriers[i], push);
+  }
+}
+
+inline void PointCarriers::push(std::uint32_t carrier, const PushLists::Push& push, const NodeVector& force) {
+  if (force.isZero(0.0)) return;
+  if (!push.arm) {
+    mobility_.push_plain(carrier, push.weight * force);
+    return;
+  }
+  const Eigen::Vector3d whole = force.head<3>();
+  mobility_.push(carrier, push.weight * whole, arms_[*push.arm].cross(whole));
 }
 
 }  // namespace contactsim
