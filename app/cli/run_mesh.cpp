@@ -10,6 +10,7 @@
 #include "core/base/errors.hpp"
 #include "core/definition/simulation.hpp"
 #include "core/mesh/omit_blocks.hpp"
+#include "core/mesh/renumber_mesh.hpp"
 #include "io/exodus/exodus_reader.hpp"
 
 namespace contactsim {
@@ -54,11 +55,12 @@ Mesh read_run_mesh(const Options& options, const SimulationDefinition& definitio
   }
   const FiniteElementModel* model = find_finite_element_model(definition, region);
   Mesh mesh = read_mesh(path, warnings);
-  if (model == nullptr) return mesh;
-  Diagnostics problems;
-  mesh = omit_blocks(*model, std::move(mesh), problems);
-  stop_on_errors(problems);
-  return mesh;
+  if (model != nullptr) {
+    Diagnostics problems;
+    mesh = omit_blocks(*model, std::move(mesh), problems);
+    stop_on_errors(problems);
+  }
+  return renumber_mesh(mesh);
 }
 
 }  // namespace contactsim

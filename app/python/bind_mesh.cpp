@@ -6,6 +6,7 @@
 #include "core/mesh/mesh.hpp"
 #include "io/exodus/exodus_reader.hpp"
 #include "io/exodus/exodus_variables.hpp"
+#include "io/exodus/results_mesh.hpp"
 
 namespace py = pybind11;
 
@@ -15,25 +16,24 @@ namespace {
 
 using Ids = std::vector<std::int64_t>;
 
-Ids node_ids(const Mesh& mesh) {
-  Ids ids;
-  for (std::uint32_t i = 0; i < mesh.n_nodes(); ++i) ids.push_back(mesh.node_id({i}));
-  return ids;
-}
-
 py::dict blocks_of(const Mesh& mesh) {
   py::dict blocks;
   for (std::uint32_t b = 0; b < mesh.blocks().size(); ++b) {
     const ElementBlock& block = mesh.blocks()[b];
+    const FileOrder order = FileOrder::of_block(mesh, block);
     Ids ids;
-    for (std::uint32_t i = 0; i < block.n_elements; ++i)
-      ids.push_back(mesh.element_id({block.first_element.value + i}));
+    for (std::uint32_t place = 0; place < block.n_elements; ++place)
+      ids.push_back(mesh.element_id({block.first_element.value + order.position(place)}));
+    const auto n = static_cast<std::size_t>(std::max(1, block.nodes_per_element));
     std::vector<std::uint32_t> nodes;
-    for (const NodeIndex node : block.nodes) nodes.push_back(node.value);
+    if (!block.nodes.empty()) {
+      for (const NodeIndex node : order.to_file(std::span(block.nodes), n, 0, n))
+        nodes.push_back(mesh.node_place(node));
+    }
     py::dict row;
     row["type"] = block.type_name;
     row["elements"] = array_of(ids);
-    row["nodes"] = table_of(nodes, static_cast<std::size_t>(std::max(1, block.nodes_per_element)));
+    row["nodes"] = table_of(nodes, n);
     blocks[py::str(mesh.name({EntityKind::block, b}))] = row;
   }
   return blocks;
@@ -89,14 +89,14 @@ py::array_t<double> read(const StoredVariables& stored, const StoredVariableKind
 }  // namespace
 
 void bind_mesh(py::module_& module) {
-  py::class_<Mesh>(module, "Mesh", "Nodes, element blocks and sets; immutable")
+  py::class_<Mesh>(module, "Mesh", "Nodes, element blocks and sets, in the order of the file; immutable")
       .def_property_readonly("n_nodes", &Mesh::n_nodes)
       .def_property_readonly("n_elements", &Mesh::n_elements)
       .def_property_readonly(
-          "coordinates", [](const Mesh& mesh) { return rows_of(mesh.coordinates()); },
+          "coordinates", [](const Mesh& mesh) { return rows_of(mesh, mesh.coordinates()); },
           "[n_nodes, 3] [length]")
       .def_property_readonly(
-          "node_ids", [](const Mesh& mesh) { return array_of(node_ids(mesh)); }, "of the file, from 1")
+          "node_ids", [](const Mesh& mesh) { return array_of(make_node_map(mesh)); }, "of the file, from 1")
       .def_property_readonly("blocks", &blocks_of,
                              "by name: type, elements (ids), nodes (positions from 0, a row per element)")
       .def_property_readonly("side_sets", &side_sets_of, "by name: rows of element id and side from 1")

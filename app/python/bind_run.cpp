@@ -99,7 +99,8 @@ const State& state_of(const DeckRun& run) { return run.simulation().state(); }
 py::array_t<double> contact_forces(const DeckRun& run) {
   const State& state = state_of(run);
   const Eigen::Matrix3Xd& forces = state.forces.contact;
-  return rows_of(forces.cols() > 0 ? forces : Eigen::Matrix3Xd::Zero(3, state.coordinates.cols()));
+  return rows_of(run.mesh(),
+                 forces.cols() > 0 ? forces : Eigen::Matrix3Xd::Zero(3, state.coordinates.cols()));
 }
 
 using Bound = py::class_<DeckRun>;
@@ -141,10 +142,10 @@ void bind_motion(Bound& bound) {
 void bind_state(Bound& bound) {
   bound
       .def_property_readonly(
-          "positions", [](const DeckRun& run) { return rows_of(state_of(run).coordinates); },
+          "positions", [](const DeckRun& run) { return rows_of(run.mesh(), state_of(run).coordinates); },
           "[n_nodes, 3] [length]")
       .def_property_readonly(
-          "velocities", [](const DeckRun& run) { return rows_of(state_of(run).velocity); },
+          "velocities", [](const DeckRun& run) { return rows_of(run.mesh(), state_of(run).velocity); },
           "[n_nodes, 3] [length/time]")
       .def_property_readonly("contact_forces", &contact_forces, "[n_nodes, 3] [force]")
       .def_property_readonly("energies", &energies_of, "By name [energy]")

@@ -2,6 +2,7 @@
 #include "app/run/surface_sets.hpp"
 
 #include <algorithm>
+#include <utility>
 
 namespace contactsim {
 
@@ -25,7 +26,9 @@ std::vector<ElementSide> sides_of_surface(const ContactSurface& surface, const M
     sides.emplace_back(element, 1);
     sides.emplace_back(element, 2);
   }
-  std::sort(sides.begin(), sides.end());
+  std::ranges::sort(sides, {}, [&](ElementSide side) {
+    return std::pair(mesh.element_place(side.element()), side.side());
+  });
   return sides;
 }
 
@@ -36,7 +39,7 @@ std::vector<NodeIndex> nodes_of_surface(const ContactSurface& surface, const Mes
     const auto own = mesh.element_nodes(element);
     nodes.insert(nodes.end(), own.begin(), own.end());
   }
-  std::sort(nodes.begin(), nodes.end());
+  std::ranges::sort(nodes, {}, [&](NodeIndex node) { return mesh.node_place(node); });
   nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
   return nodes;
 }

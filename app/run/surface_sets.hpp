@@ -9,11 +9,11 @@
 namespace contactsim {
 
 /// The sides by which results show a contact surface: its faces, and both sides of shells that it lofts.
-/// Ascending.
+/// In the order of the file.
 std::vector<ElementSide> sides_of_surface(const ContactSurface& surface, const Mesh& mesh);
 
 /// The nodes by which results show what has no sides: those of a surface of nodes, and of lines, particles
-/// and elements QUAD that it lofts. Ascending.
+/// and elements QUAD that it lofts. In the order of the file.
 std::vector<NodeIndex> nodes_of_surface(const ContactSurface& surface, const Mesh& mesh);
 
 }  // namespace contactsim

@@ -45,6 +45,7 @@ Mesh::Mesh(MeshParts parts) : parts_(std::move(parts)) {
   assert(n_elements_ <= max_elements);
   assert(parts_.node_ids.empty() || parts_.node_ids.size() == n_nodes());
   assert(parts_.element_ids.empty() || parts_.element_ids.size() == n_elements_);
+  assert(parts_.node_places.size() <= n_nodes() && parts_.element_places.size() <= n_elements_);
   for (auto* ids : {&parts_.node_ids, &parts_.element_ids}) {
     if (are_counting(*ids)) std::vector<std::int64_t>().swap(*ids);
   }

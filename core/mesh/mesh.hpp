@@ -73,6 +73,8 @@ struct MeshParts {
   std::vector<Assembly> assemblies;
   std::vector<std::int64_t> node_ids;     ///< empty when ids are 1..n
   std::vector<std::int64_t> element_ids;  ///< empty when ids are 1..n
+  /// Where the file has each node and each element; those beyond the end, and all of none, as here.
+  std::vector<std::uint32_t> node_places, element_places;
 };
 
 /// One mesh entity that a name means.
@@ -123,6 +125,11 @@ class Mesh {
   /// The user's ids (Exodus number maps).
   std::int64_t node_id(NodeIndex node) const;
   std::int64_t element_id(ElementIndex element) const;
+  /// Positions in the order of the file, in which results and tables show them.
+  std::uint32_t node_place(NodeIndex node) const { return place_of(parts_.node_places, node.value); }
+  std::uint32_t element_place(ElementIndex element) const {
+    return place_of(parts_.element_places, element.value);
+  }
   /// The element or node of a user id, if there is one; the first of a repeated id.
   std::optional<ElementIndex> find_element(std::int64_t id) const;
   std::optional<NodeIndex> find_node(std::int64_t id) const;
@@ -153,6 +160,9 @@ class Mesh {
   std::vector<Entity> members(std::uint32_t assembly) const;
 
  private:
+  static std::uint32_t place_of(const std::vector<std::uint32_t>& places, std::uint32_t position) {
+    return position < places.size() ? places[position] : position;
+  }
   std::uint32_t count(EntityKind kind) const;
 
   MeshParts parts_;

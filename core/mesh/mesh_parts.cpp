@@ -26,6 +26,9 @@ MeshParts parts_of(const Mesh& mesh) {
   parts.assemblies = copied(mesh.assemblies());
   for (std::uint32_t i = 0; i < mesh.n_nodes(); ++i) parts.node_ids.push_back(mesh.node_id({i}));
   for (std::uint32_t i = 0; i < mesh.n_elements(); ++i) parts.element_ids.push_back(mesh.element_id({i}));
+  for (std::uint32_t i = 0; i < mesh.n_nodes(); ++i) parts.node_places.push_back(mesh.node_place({i}));
+  for (std::uint32_t i = 0; i < mesh.n_elements(); ++i)
+    parts.element_places.push_back(mesh.element_place({i}));
   return parts;
 }
 

@@ -106,6 +106,8 @@ Mesh without_blocks(const Mesh& mesh, std::span<const std::uint32_t> blocks) {
   const Renumbering kept_blocks(keeps_block), nodes(kept_nodes(mesh, keeps_block)),
       elements(kept_elements(mesh, keeps_block));
   MeshParts parts = parts_of(mesh);
+  parts.node_places.clear();
+  parts.element_places.clear();
   kept_blocks.drop(parts.blocks);
   elements.drop(parts.element_ids);
   drop_nodes(nodes, parts);

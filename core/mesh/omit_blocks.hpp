@@ -11,6 +11,7 @@ namespace contactsim {
 
 /// A copy of a mesh without some of its blocks: their elements are gone, with the nodes that no other element
 /// has, from side sets, node sets and assemblies too. What is left keeps its order and its ids.
+/// Precondition: the mesh has the order of its file.
 ///   blocks  positions
 Mesh without_blocks(const Mesh& mesh, std::span<const std::uint32_t> blocks);
 

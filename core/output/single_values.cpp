@@ -19,14 +19,16 @@ struct Place {
   std::string ending;  // "node_42"
 };
 
-// The position whose point is nearest, the first of equals.
-template <class Point>
-std::optional<std::size_t> find_nearest_of(std::size_t n, const Eigen::Vector3d& to, Point point) {
+// The position whose point is nearest, of equals the first in the file.
+template <class Point, class Place>
+std::optional<std::size_t> find_nearest_of(std::size_t n, const Eigen::Vector3d& to, Point point,
+                                           Place place) {
   std::optional<std::size_t> nearest;
   double min_distance = std::numeric_limits<double>::infinity();
   for (std::size_t i = 0; i < n; ++i) {
     const double distance = (point(i) - to).squaredNorm();
-    if (distance >= min_distance) continue;
+    const bool is_before = nearest && distance == min_distance && place(i) < place(*nearest);
+    if (!(distance < min_distance) && !is_before) continue;
     min_distance = distance;
     nearest = i;
   }
@@ -96,9 +98,10 @@ class ValueMaker {
   }
 
   std::optional<Place> find_nearest_node(const Eigen::Vector3d& point) {
-    const auto nearest = find_nearest_of(mesh_.n_nodes(), point, [&](std::size_t n) {
-      return Eigen::Vector3d(mesh_.coordinates().col(static_cast<Eigen::Index>(n)));
-    });
+    const auto nearest = find_nearest_of(
+        mesh_.n_nodes(), point,
+        [&](std::size_t n) { return Eigen::Vector3d(mesh_.coordinates().col(static_cast<Eigen::Index>(n))); },
+        [&](std::size_t n) { return mesh_.node_place({static_cast<std::uint32_t>(n)}); });
     if (!nearest) return std::nullopt;
     return at_node(static_cast<std::uint32_t>(*nearest));
   }
@@ -140,8 +143,10 @@ class ValueMaker {
     double min_distance = std::numeric_limits<double>::infinity();
     for (std::size_t b = 0; b < model_.blocks.size(); ++b) {
       if (!selection.is_in_block(model_, b)) continue;
-      const auto own = find_nearest_of(model_.blocks[b].n_elements, nearest.point,
-                                       [&](std::size_t e) { return centroid(b, e); });
+      const std::uint32_t first = model_.blocks[b].first_element.value;
+      const auto own = find_nearest_of(
+          model_.blocks[b].n_elements, nearest.point, [&](std::size_t e) { return centroid(b, e); },
+          [&](std::size_t e) { return mesh_.element_place({first + static_cast<std::uint32_t>(e)}); });
       if (!own) continue;
       const double distance = (centroid(b, *own) - nearest.point).squaredNorm();
       if (distance >= min_distance) continue;

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "io/exodus/exodus_entities.hpp"
+#include "io/exodus/file_order.hpp"
 #include "io/netcdf/netcdf_file.hpp"
 
 namespace contactsim {
@@ -19,13 +20,17 @@ namespace {
 struct StoredBlock {
   std::size_t number = 0;  ///< from 1
   std::size_t first_element = 0, n_elements = 0;
+  FileOrder order;
 };
 
 /// An open file of results.
 class ResultsFile {
  public:
   ResultsFile(const std::string& path, const Mesh& mesh)
-      : file_(path), n_nodes_(mesh.n_nodes()), n_elements_(mesh.n_elements()) {
+      : file_(path),
+        n_nodes_(mesh.n_nodes()),
+        n_elements_(mesh.n_elements()),
+        node_order_(FileOrder::of_nodes(mesh)) {
     find_blocks(mesh);
     read_times();
   }
@@ -42,6 +47,7 @@ class ResultsFile {
 
   NetcdfFile file_;
   std::size_t n_nodes_, n_elements_;
+  FileOrder node_order_;
   std::vector<StoredBlock> blocks_;
   std::vector<double> times_;
 };
@@ -53,7 +59,8 @@ void ResultsFile::find_blocks(const Mesh& mesh) {
     const auto block = std::find_if(mesh.blocks().begin(), mesh.blocks().end(),
                                     [&](const ElementBlock& one) { return one.id == row.id; });
     if (block == mesh.blocks().end()) continue;
-    blocks_.push_back({row.number, block->first_element.value, block->n_elements});
+    blocks_.push_back(
+        {row.number, block->first_element.value, block->n_elements, FileOrder::of_block(mesh, *block)});
   }
 }
 
@@ -86,6 +93,7 @@ std::vector<double> ResultsFile::read_nodal(std::size_t variable, std::size_t ti
   if (const auto own = file_.find_variable(name)) {
     check_shape(*own, {times_.size(), n_nodes_});
     file_.read_double(*own, {time, 1}, values);
+    node_order_.to_mesh(values);
     return values;
   }
   const auto all = file_.find_variable("vals_nod_var");
@@ -95,6 +103,7 @@ std::vector<double> ResultsFile::read_nodal(std::size_t variable, std::size_t ti
   std::vector<double> row(n_variables * n_nodes_);
   file_.read_double(*all, {time, 1}, row);
   std::copy_n(row.begin() + static_cast<std::ptrdiff_t>(variable * n_nodes_), n_nodes_, values.begin());
+  node_order_.to_mesh(values);
   return values;
 }
 
@@ -104,7 +113,9 @@ std::vector<double> ResultsFile::read_element(std::size_t variable, std::size_t 
     const auto stored = file_.find_variable(fmt::format("vals_elem_var{}eb{}", variable + 1, block.number));
     if (!stored) continue;
     check_shape(*stored, {times_.size(), block.n_elements});
-    file_.read_double(*stored, {time, 1}, std::span(values).subspan(block.first_element, block.n_elements));
+    const auto of_block = std::span(values).subspan(block.first_element, block.n_elements);
+    file_.read_double(*stored, {time, 1}, of_block);
+    block.order.to_mesh(of_block);
   }
   return values;
 }

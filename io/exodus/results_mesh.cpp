@@ -7,6 +7,7 @@
 #include <string_view>
 
 #include "io/exodus/exodus_conventions.hpp"
+#include "io/exodus/file_order.hpp"
 
 namespace contactsim {
 
@@ -21,48 +22,54 @@ void add_nodes(const Mesh& mesh, ExodusDraft& draft) {
   const int n_nodes = draft.add_dimension("num_nodes", mesh.n_nodes());
   for (Eigen::Index axis = 0; axis < 3; ++axis) {
     draft.add_reals(names[static_cast<std::size_t>(axis)], {n_nodes}, [&mesh, axis] {
-      const Eigen::VectorXd values = mesh.coordinates().row(axis);
-      return std::vector<double>(values.begin(), values.end());
+      const Eigen::Matrix3Xd& x = mesh.coordinates();
+      return FileOrder::of_nodes(mesh).to_file(std::span(x.data(), static_cast<std::size_t>(x.size())), 3,
+                                               static_cast<std::size_t>(axis), 1);
     });
   }
   if (is_counting<std::int64_t>(make_node_map(mesh))) return;
   draft.add_ids("node_num_map", n_nodes, [&mesh] { return make_node_map(mesh); });
 }
 
-void add_attributes(const ElementBlock& block, const std::string& number, int n_elements,
+void add_attributes(const Mesh& mesh, const ElementBlock& block, const std::string& number, int n_elements,
                     ExodusDraft& draft) {
   if (block.attribute_names.empty()) return;
   const int n_attributes = draft.add_dimension("num_att_in_blk" + number, block.attribute_names.size());
-  draft.add_reals("attrib" + number, {n_elements, n_attributes}, [&block] { return block.attributes; });
+  draft.add_reals("attrib" + number, {n_elements, n_attributes}, [&mesh, &block] {
+    const std::size_t n = block.attribute_names.size();
+    return FileOrder::of_block(mesh, block).to_file(std::span(block.attributes), n, 0, n);
+  });
   draft.add_texts("attrib_name" + number, {n_attributes}, "len_name", block.attribute_names);
 }
 
-void add_block(const ElementBlock& block, const std::string& number, ExodusDraft& draft) {
+void add_block(const Mesh& mesh, const ElementBlock& block, const std::string& number, ExodusDraft& draft) {
   if (block.n_elements == 0) return;
   const int n_elements = draft.add_dimension("num_el_in_blk" + number, block.n_elements);
   const int n_columns =
       draft.add_dimension("num_nod_per_el" + number, static_cast<std::size_t>(block.nodes_per_element));
-  const int connectivity = draft.add_integers("connect" + number, {n_elements, n_columns}, [&block] {
+  const int connectivity = draft.add_integers("connect" + number, {n_elements, n_columns}, [&mesh, &block] {
+    const auto n = static_cast<std::size_t>(block.nodes_per_element);
     std::vector<std::int32_t> numbers;
     numbers.reserve(block.nodes.size());
-    for (NodeIndex node : block.nodes) numbers.push_back(static_cast<std::int32_t>(node.value) + 1);
+    for (const NodeIndex node : FileOrder::of_block(mesh, block).to_file(std::span(block.nodes), n, 0, n))
+      numbers.push_back(static_cast<std::int32_t>(mesh.node_place(node)) + 1);
     return numbers;
   });
   draft.file().set_text(connectivity, "elem_type", std::string(topology(block.shape).name));
-  add_attributes(block, number, n_elements, draft);
+  add_attributes(mesh, block, number, n_elements, draft);
 }
 
 }  // namespace
 
 std::vector<std::int64_t> make_node_map(const Mesh& mesh) {
   std::vector<std::int64_t> ids(mesh.n_nodes());
-  for (std::uint32_t n = 0; n < mesh.n_nodes(); ++n) ids[n] = mesh.node_id({n});
+  for (std::uint32_t n = 0; n < mesh.n_nodes(); ++n) ids[mesh.node_place({n})] = mesh.node_id({n});
   return ids;
 }
 
 std::vector<std::int64_t> make_element_map(const Mesh& mesh) {
   std::vector<std::int64_t> ids(mesh.n_elements());
-  for (std::uint32_t e = 0; e < mesh.n_elements(); ++e) ids[e] = mesh.element_id({e});
+  for (std::uint32_t e = 0; e < mesh.n_elements(); ++e) ids[mesh.element_place({e})] = mesh.element_id({e});
   return ids;
 }
 
@@ -80,7 +87,7 @@ void add_mesh(const Mesh& mesh, ExodusDraft& draft) {
     rows.ids.push_back(block.id);
     rows.status.push_back(block.n_elements > 0 ? 1 : 0);
     rows.names.push_back(mesh.name({EntityKind::block, b}));
-    add_block(block, fmt::to_string(b + 1), draft);
+    add_block(mesh, block, fmt::to_string(b + 1), draft);
   }
   draft.add_id_rows("num_el_blk", "eb", rows);
 }

@@ -13,14 +13,13 @@ namespace contactsim {
 
 namespace {
 
-void add_side_set(const SideSet& set, const std::string& number, ExodusDraft& draft) {
+void add_side_set(const Mesh& mesh, const SideSet& set, const std::string& number, ExodusDraft& draft) {
   if (set.sides.empty()) return;
   const int n_sides = draft.add_dimension("num_side_ss" + number, set.sides.size());
-  draft.add_integers("elem_ss" + number, {n_sides}, [&set] {
+  draft.add_integers("elem_ss" + number, {n_sides}, [&mesh, &set] {
     std::vector<std::int32_t> numbers;
-    for (const ElementSide& side : set.sides) {
-      numbers.push_back(static_cast<std::int32_t>(side.element().value) + 1);
-    }
+    for (const ElementSide& side : set.sides)
+      numbers.push_back(static_cast<std::int32_t>(mesh.element_place(side.element())) + 1);
     return numbers;
   });
   draft.add_integers("side_ss" + number, {n_sides}, [&set] {
@@ -33,12 +32,13 @@ void add_side_set(const SideSet& set, const std::string& number, ExodusDraft& dr
   draft.add_reals("dist_fact_ss" + number, {n_factors}, [&set] { return set.distribution_factors; });
 }
 
-void add_node_set(const NodeSet& set, const std::string& number, ExodusDraft& draft) {
+void add_node_set(const Mesh& mesh, const NodeSet& set, const std::string& number, ExodusDraft& draft) {
   if (set.nodes.empty()) return;
   const int n_nodes = draft.add_dimension("num_nod_ns" + number, set.nodes.size());
-  draft.add_integers("node_ns" + number, {n_nodes}, [&set] {
+  draft.add_integers("node_ns" + number, {n_nodes}, [&mesh, &set] {
     std::vector<std::int32_t> numbers;
-    for (NodeIndex node : set.nodes) numbers.push_back(static_cast<std::int32_t>(node.value) + 1);
+    for (const NodeIndex node : set.nodes)
+      numbers.push_back(static_cast<std::int32_t>(mesh.node_place(node)) + 1);
     return numbers;
   });
   if (set.distribution_factors.empty()) return;
@@ -111,14 +111,14 @@ void add_sets(const Mesh& mesh, ExodusDraft& draft) {
     side_rows.ids.push_back(set.id);
     side_rows.status.push_back(set.sides.empty() ? 0 : 1);
     side_rows.names.push_back(mesh.name({EntityKind::side_set, s}));
-    add_side_set(set, fmt::to_string(s + 1), draft);
+    add_side_set(mesh, set, fmt::to_string(s + 1), draft);
   }
   for (std::uint32_t s = 0; s < mesh.node_sets().size(); ++s) {
     const NodeSet& set = mesh.node_sets()[s];
     node_rows.ids.push_back(set.id);
     node_rows.status.push_back(set.nodes.empty() ? 0 : 1);
     node_rows.names.push_back(mesh.name({EntityKind::node_set, s}));
-    add_node_set(set, fmt::to_string(s + 1), draft);
+    add_node_set(mesh, set, fmt::to_string(s + 1), draft);
   }
   draft.add_id_rows("num_side_sets", "ss", side_rows);
   draft.add_id_rows("num_node_sets", "ns", node_rows);

@@ -20,14 +20,19 @@ std::size_t count_entities(const Mesh& mesh, const OutputField& field) {
 
 }  // namespace
 
-ResultsVariables::ResultsVariables(const Mesh& mesh, std::span<const OutputField> fields,
-                                   ExodusDraft& draft) {
+ResultsVariables::ResultsVariables(const Mesh& mesh, std::span<const OutputField> fields, ExodusDraft& draft)
+    : node_order_(FileOrder::of_nodes(mesh)) {
+  for (const ElementBlock& block : mesh.blocks()) block_orders_.push_back(FileOrder::of_block(mesh, block));
   for (const OutputField& field : fields) fields_.push_back({field, count_entities(mesh, field), 0, {}});
   steps_ = draft.add_dimension("time_step", NetcdfOutput::unlimited);
   draft.file().define_variable("time_whole", NetcdfType::float64, {steps_});
   add_globals(draft);
   if (mesh.n_nodes() > 0) add_nodal(draft);
   add_element(mesh, draft);
+}
+
+const FileOrder& ResultsVariables::order_of(const OutputField& field) const {
+  return field.location == FieldLocation::node ? node_order_ : block_orders_[field.block];
 }
 
 // Each once, in the order of first mention.
@@ -105,8 +110,14 @@ void ResultsVariables::write(std::size_t field, std::span<const double> values, 
   }
   if (defined.field.location == FieldLocation::global)
     file.write("vals_glo_var", values, {}, defined.first_global);
-  for (std::size_t c = 0; c < defined.variables.size(); ++c)
-    file.write(defined.variables[c], values, {c, n_components});
+  for (std::size_t c = 0; c < defined.variables.size(); ++c) {
+    const FileOrder& order = order_of(defined.field);
+    if (order.is_same()) {
+      file.write(defined.variables[c], values, {c, n_components});
+    } else {
+      file.write(defined.variables[c], order.to_file(values, n_components, c, 1));
+    }
+  }
 }
 
 }  // namespace contactsim

@@ -8,6 +8,7 @@
 #include "core/mesh/mesh.hpp"
 #include "core/mesh/output_field.hpp"
 #include "io/exodus/exodus_draft.hpp"
+#include "io/exodus/file_order.hpp"
 #include "io/netcdf/record_file.hpp"
 
 namespace contactsim {
@@ -35,11 +36,14 @@ class ResultsVariables {
     std::vector<std::string> variables;  ///< n_components; empty for globals and where there are no entities
   };
 
+  const FileOrder& order_of(const OutputField& field) const;
   std::vector<std::string> component_names(FieldLocation location) const;
   void add_globals(ExodusDraft& draft);
   void add_nodal(ExodusDraft& draft);
   void add_element(const Mesh& mesh, ExodusDraft& draft);
 
+  FileOrder node_order_;
+  std::vector<FileOrder> block_orders_;
   std::vector<DefinedField> fields_;
   int steps_ = 0;  // dimension
 };
