@@ -23,10 +23,6 @@ namespace {
 /// Nodes that stand this share of an element's thickness beyond an edge project inside it.
 constexpr double just_beyond = 1e-6;
 
-double allowed_beyond(const SurfacePair& pair, const FaceBound& face) {
-  return pair.tangential_tolerance.value_or(automatic_beyond * face.radius());
-}
-
 bool has_corner(const ContactFace& face, ContactNodeIndex node) {
   return std::find(face.corners.begin(), face.corners.end(), node) != face.corners.end();
 }
@@ -77,51 +73,32 @@ void NodeFaceContacts::add_near_face(const ContactStepContext& context, SurfaceN
                                      NearFaces& near_faces) const {
   const SurfaceNode& node = contact_mesh_.surface_nodes[row];
   const ContactFace& face = contact_mesh_.faces[face_index];
+  const PairIndex pair = *context.rules.find(node.surface, face.surface);
+  const PairRule& rule = context.rules.of_node(pair, row);
+  if (rule.is_balanced != context.balances) return;
   const FaceBound& bound = context.kinematics.bound(face_index);
   const Eigen::Vector3d x = context.kinematics.x(node.node);
-  const Eigen::Vector3f closing = bound.velocity() - context.kinematics.v(node.node).cast<float>();
-  const float mean = closing.dot(bound.normal());
-  const double closed = above_zero(mean) * context.dt;
-  const double near = above_zero(mean + bound.normal_velocity_spread()) * context.ahead();
-  // Before the first step faces in front of the node count too: it is not inside what it stands in front of.
-  NearFace near_face;
-  near_face.face = face_index;
-  near_face.pair = *context.rules.find(node.surface, face.surface);
-  const PairRule& rule = context.rules.of_node(near_face.pair, row);
-  if (rule.is_balanced != context.balances) return;
-  const double margin = context.balances ? closed_share * std::min(face.penalty_properties.thickness,
-                                                                   node.penalty_properties.thickness)
-                                         : 0.0;
-  const double from_afar = std::max(
-      {rule.activation_distance, margin, context.dt > 0.0 ? near : std::max<double>(near, bound.radius())});
-  const double held = node_history.face_histories.empty()
-                          ? 0.0
-                          : rule.pair->held_gap(std::min(face.penalty_properties.thickness,
-                                                         node.penalty_properties.thickness));
-  const double activation_distance = std::max(from_afar, held);
-  near_face.near = std::max(near, margin);
-  const double of_known = node_history.face_histories.empty() ? 0.0 : any_depth;
-  const double deepest = std::max(
-      {rule.pair->normal_tolerance.value_or(face.penalty_properties.thickness), 1.5 * closed, of_known});
-  near_face.deeper = context.multipliers ? context.multipliers->value_or(near_face.pair, row, 0.0) : 0.0;
-  const double offset =
-      context.rules.gap_offsets().of_node(near_face.pair, row) + rule.begin_gap + near_face.deeper;
-  const double beyond = allowed_beyond(*rule.pair, bound);
-  // Behind the edge of a hollow a node may stand as far beyond it as it is deep.
-  const double behind = std::max(0.0f, bound.warp() - bound.height_of(x));
+  const Reach reach = find_reach(context, {row, node, face_index, face, bound, rule, x},
+                                 !node_history.face_histories.empty());
   const bool keeps_plane = rule.pair->behavior == InteractionBehavior::infinitesimal_sliding &&
                            start_partners_.has(row, face_index);
   const double anywhere = keeps_plane ? std::numeric_limits<float>::max() : 0.0;
-  if (!may_project_inside(x, bound, activation_distance + std::max(offset, 0.0) + node.radius,
-                          deepest + std::max(-offset, 0.0),
-                          std::max(beyond + behind + node.radius, anywhere)) ||
+  const double activation_distance = std::max(reach.from_afar, reach.held);
+  if (!may_project_inside(x, bound, activation_distance + std::max(reach.offset, 0.0) + node.radius,
+                          reach.deepest + std::max(-reach.offset, 0.0),
+                          std::max(reach.beyond + node.radius, anywhere)) ||
       has_corner(face, node.node))
     return;
   if (!rule.is_active || rule.law == ContactLaw::tied) return;
-  if (rule.law != ContactLaw::sliding && context.constrained.holds_node(row, near_face.pair)) return;
+  if (rule.law != ContactLaw::sliding && context.constrained.holds_node(row, pair)) return;
   const MovingFace moving = context.kinematics.face(face_index);
   const SmoothFace* round = contact_mesh_.smooth_faces.find(rule.pair->smoothing, face_index);
   const auto point = project_sphere(moving.x, moving.is_triangle, round, x, node.radius);
+  NearFace near_face;
+  near_face.face = face_index;
+  near_face.pair = pair;
+  near_face.near = reach.near;
+  near_face.deeper = reach.deeper;
   near_face.is_plane = keeps_plane && stand_on_plane(moving, x, node.radius, near_face);
   if (!near_face.is_plane) {
     if (!point) return;
@@ -129,15 +106,17 @@ void NodeFaceContacts::add_near_face(const ContactStepContext& context, SurfaceN
     near_face.distance = std::abs(point->gap + node.radius) + point->beyond;
     near_face.weights = corner_weights(point->xi, point->eta, moving.is_triangle);
   }
-  near_face.point.gap -= offset;
+  near_face.point.gap -= reach.offset;
   near_face.penalty = make_pair_penalty(node.penalty_properties, &face.penalty_properties, rule);
   if (context.is_static) near_face.penalty.law = {};  // multipliers press what is deep
   const bool is_known = node_history.knows(near_face.point.normal);
   near_face.penalty.depth =
-      is_known ? any_depth : std::max(near_face.penalty.depth, 1.5 * closed) + std::max(offset, 0.0);
-  near_face.pulls = near_face.point.gap <= held && held > 0.0 &&
+      is_known ? any_depth
+               : std::max(near_face.penalty.depth, 1.5 * reach.closed) + std::max(reach.offset, 0.0);
+  near_face.pulls = near_face.point.gap <= reach.held && reach.held > 0.0 &&
                     node_history.touched(near_face.pair, near_face.point.normal);
-  if ((near_face.point.gap > from_afar && !near_face.pulls) || -near_face.point.gap > near_face.penalty.depth)
+  if ((near_face.point.gap > reach.from_afar && !near_face.pulls) ||
+      -near_face.point.gap > near_face.penalty.depth)
     return;
   if (!comes_from_outside(context, node, moving, near_face, node_history.depth(near_face.point.normal)))
     return;
@@ -154,10 +133,8 @@ void NodeFaceContacts::add_near_face(const ContactStepContext& context, SurfaceN
 bool NodeFaceContacts::comes_from_outside(const ContactStepContext& context, const SurfaceNode& node,
                                           const MovingFace& face, const NearFace& near_face,
                                           double depth) const {
-  // Before the first step nobody knows; what overlaps then is pushed out.
-  if (context.dt == 0.0 || near_face.point.gap >= 0.0) return true;
-  // What a ramp brings in comes from in front, in a load step by any depth.
-  if (context.is_static && context.rules[near_face.pair].pair->gap.overlap_ramp_time) return true;
+  if (near_face.point.gap >= 0.0 || !must_come_from_outside(context, context.rules[near_face.pair]))
+    return true;
   const double approach =
       (face.v * near_face.weights - context.kinematics.v(node.node)).dot(near_face.point.normal) * context.dt;
   // What comes up behind the one side of a shell that takes part leaves through it.

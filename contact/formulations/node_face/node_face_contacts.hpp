@@ -63,11 +63,26 @@ class NodeFaceContacts {
 
   struct NearFace;
   struct NearFaces;
+  struct Reach;
+  struct NodeAndFace {
+    SurfaceNodeIndex row;
+    const SurfaceNode& node;
+    FaceIndex face_index;
+    const ContactFace& face;
+    const FaceBound& bound;
+    const PairRule& rule;
+    const Eigen::Vector3d& x;  // of the node [length]
+  };
 
   void detect_one(const ContactStepContext& context, SurfaceNodeIndex row, NearFaces& near_faces,
                   std::vector<ContactPoint>& points) const;
   void add_near_face(const ContactStepContext& context, SurfaceNodeIndex row, FaceIndex face,
                      const NodeHistory& node_history, NearFaces& near_faces) const;
+  /// How far off a face a node may touch it.
+  ///   is_known  the node touched something in the last step
+  Reach find_reach(const ContactStepContext& context, const NodeAndFace& pair, bool is_known) const;
+  static bool must_come_from_outside(const ContactStepContext& context, const PairRule& rule);
+  static double deepest_of_unknown(const ContactStepContext& context, const NodeAndFace& pair, double closed);
   /// Whether one of the node's own faces is turned towards a face with this normal; of nodes without faces
   /// always.
   bool is_facing(const ContactStepContext& context, const SurfaceNode& node,
