@@ -198,8 +198,8 @@ void ContactSearch::find_face_pairs(const ContactKinematics& kinematics, const M
     }
     stop_at(kinematics, motion, contact_mesh_.faces[*bad].corners[0]);
   }
-  turned_away_.begin(kinematics);
   if (!has_face_pairs_) return;
+  turned_away_.begin(kinematics);
   faces_phase_.find_pairs([&](FaceIndex a, FaceIndex b) { return faces_may_meet(kinematics, a, b); },
                           partners);
   if (has_small_sliding_)
@@ -217,8 +217,7 @@ void ContactSearch::find_node_faces(const ContactKinematics& kinematics, const M
   if (const auto bad = nodes_phase_.update(indices(contact_mesh_.surface_nodes), box_of))
     stop_at(kinematics, motion, contact_mesh_.surface_nodes[*bad].node);
   nodes_phase_.find_pairs(
-      faces_phase_,
-      [&](SurfaceNodeIndex row, FaceIndex face) { return node_may_meet(kinematics, row, face); }, faces);
+      faces_phase_, [this](SurfaceNodeIndex row, FaceIndex face) { return node_may_meet(row, face); }, faces);
   if (has_small_sliding_)
     keep_first_partners(
         is_new_row_, [this](SurfaceNodeIndex row) { return contact_mesh_.surface_nodes[row].surface; },

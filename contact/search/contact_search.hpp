@@ -116,7 +116,7 @@ class ContactSearch {
   /// Whether only faces that face each other have to do with each other in a pair: nothing holds any others
   /// together, now or later.
   bool has_to_face(const PairRule& rule) const;
-  bool node_may_meet(const ContactKinematics& kinematics, SurfaceNodeIndex row, FaceIndex face);
+  bool node_may_meet(SurfaceNodeIndex row, FaceIndex face) const;
   Box edge_box(const ContactKinematics& kinematics, EdgeIndex edge, double dt, double deep) const;
   /// Whether a sharp edge is none in a pair: both its faces stand for one round surface.
   bool is_smoothed(const ContactEdge& edge, PairIndex pair) const;

@@ -28,8 +28,7 @@ bool ContactSearch::faces_may_meet(const ContactKinematics& kinematics, FaceInde
   return !adjacent_.are_adjacent(first, second);
 }
 
-bool ContactSearch::node_may_meet(const ContactKinematics& kinematics, SurfaceNodeIndex row,
-                                  FaceIndex index) {
+bool ContactSearch::node_may_meet(SurfaceNodeIndex row, FaceIndex index) const {
   const SurfaceNode& node = contact_mesh_.surface_nodes[row];
   const ContactFace& face = contact_mesh_.faces[index];
   const OptionalIndex<PairIndex> pair = rules_.find(node.surface, face.surface);
@@ -39,7 +38,6 @@ bool ContactSearch::node_may_meet(const ContactKinematics& kinematics, SurfaceNo
   // Balls have no faces: they meet those of others as nodes, whatever the formulation.
   const bool is_sphere = node.radius > 0.0f;
   if (!is_sphere && !node.is_free && of.formulation != ConstraintFormulation::node_face) return false;
-  if (has_to_face_[*pair] != 0 && turned_away_.are(kinematics, node, index)) return false;
   if (!is_sphere && of.is_one_sided && (of.first != face.surface || of.second != node.surface)) return false;
   if (!rules_.start_reach().may_meet_node(*pair, row, index, node.surface)) return false;
   if (!(takes_part(of, node) && takes_part(of, face))) return false;

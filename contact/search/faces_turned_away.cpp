@@ -31,47 +31,17 @@ Eigen::Vector3f normal_of(const ContactKinematics& kinematics, FaceIndex face) {
 
 }  // namespace
 
-namespace {
-
-/// Whether the cosine of the normals of two faces stays above a limit.
-bool stays_above(const ContactKinematics& kinematics, FaceIndex a, FaceIndex b, double limit) {
-  const FaceBound &first = kinematics.bound(a), &second = kinematics.bound(b);
-  const ContactMesh& contact_mesh = kinematics.contact_mesh();
-  const float lean = lean_of(contact_mesh.faces[a], first) + lean_of(contact_mesh.faces[b], second);
-  // The cosine changes by 2 t + t^2 at most when each normal changes by t.
-  constexpr float turns = 2.0f * allowed_turn + allowed_turn * allowed_turn;
-  return first.normal().dot(second.normal()) > static_cast<float>(limit) + turns + rounding_of_cosine + lean;
-}
-
-}  // namespace
-
-void FacesTurnedAway::watch(FaceIndex face) {
-  std::atomic_ref(marks_[face]).store(1, std::memory_order_relaxed);
-}
-
 bool FacesTurnedAway::are(const ContactKinematics& kinematics, FaceIndex a, FaceIndex b) {
-  const auto& faces = kinematics.contact_mesh().faces;
-  const auto sharpness = static_cast<double>(std::max(faces[a].sharpness, faces[b].sharpness));
-  if (!stays_above(kinematics, a, b, facing_limit(sharpness))) return false;
-  for (const FaceIndex face : {a, b}) watch(face);
-  return true;
-}
-
-bool FacesTurnedAway::are(const ContactKinematics& kinematics, const SurfaceNode& node, FaceIndex face) {
-  const ContactMesh& contact_mesh = kinematics.contact_mesh();
-  const auto visit_own = [&](const auto& visit) {
-    for (const FaceIndex own : contact_mesh.faces_of_node.of(node.node)) {
-      if (contact_mesh.faces[own].surface == node.surface) visit(own);
-    }
-  };
-  bool has_faces = false, are_all = true;
-  visit_own([&](FaceIndex own) {
-    has_faces = true;
-    are_all = are_all && stays_above(kinematics, own, face, max_facing_cosine_of_blade);
-  });
-  if (!has_faces || !are_all) return false;
-  watch(face);
-  visit_own([&](FaceIndex own) { watch(own); });
+  const ContactFace &first = kinematics.contact_mesh().faces[a], &second = kinematics.contact_mesh().faces[b];
+  const FaceBound &of_first = kinematics.bound(a), &of_second = kinematics.bound(b);
+  // The cosine of both normals changes by 2 t + t^2 at most when each changes by t.
+  constexpr float turns = 2.0f * allowed_turn + allowed_turn * allowed_turn;
+  const auto facing =
+      static_cast<float>(facing_limit(static_cast<double>(std::max(first.sharpness, second.sharpness))));
+  const float cosine = of_first.normal().dot(of_second.normal());
+  if (!(cosine > facing + turns + rounding_of_cosine + lean_of(first, of_first) + lean_of(second, of_second)))
+    return false;
+  for (const FaceIndex face : {a, b}) std::atomic_ref(marks_[face]).store(1, std::memory_order_relaxed);
   return true;
 }
 

@@ -22,9 +22,6 @@ class FacesTurnedAway {
   /// Whether two faces will not face each other until have_turned(); both are watched then. May be called by
   /// several threads.
   bool are(const ContactKinematics& kinematics, FaceIndex a, FaceIndex b);
-  /// The same of all faces of a surface node, if it has any, and a face: a node at an edge that only leans
-  /// over the face counts as facing it.
-  bool are(const ContactKinematics& kinematics, const SurfaceNode& node, FaceIndex face);
   /// Ends a search: turns count from here.
   void finish(const ContactKinematics& kinematics);
   /// Whether a watched face has turned too far for what are() has said.
@@ -34,8 +31,6 @@ class FacesTurnedAway {
   std::size_t bytes() const { return bytes_of(marks_) + bytes_of(watched_) + bytes_of(normals_); }
 
  private:
-  void watch(FaceIndex face);
-
   IndexedVector<FaceIndex, std::uint8_t> marks_;  // of the search that goes on
   std::vector<FaceIndex> watched_;
   std::vector<Eigen::Vector3f> normals_;  // [watched] at the last search [1]
