@@ -27,4 +27,29 @@ void EdgeBounds::update(const ContactKinematics& kinematics,
   rounding_ = 4.0f * 0x1p-24f * farthest;
 }
 
+std::uint32_t EdgeBounds::may_cross(const Pairs& pairs) const {
+  RecordLanes<Bound> of_first, of_second;
+  for (std::size_t lane = 0; lane < pairs.n; ++lane) {
+    of_first.set(lane, bounds_[pairs.first[lane]]);
+    of_second.set(lane, bounds_[pairs.second[lane]]);
+  }
+  const VectorLanes a = of_first.vector(3), b = of_second.vector(3),
+                    apart = of_second.vector(0) - of_first.vector(0), normal = a.cross(b);
+  const FloatLanes length_a = of_first[6], length_b = of_second[6], lengths = length_a * length_b;
+  // From which angle on edges cross, and how far beside each other they still do over their lengths [1]: less
+  // strict than find_edge_gap().
+  constexpr float sine_squared = 0.02f, beside = 1e-4f;
+  const FloatLanes square = normal.dot(normal);
+  const FloatLanes s = apart.cross(b).dot(normal), t = apart.cross(a).dot(normal);
+  // With a size L the places along the edges are wrong by |n| |p| (e + L r) where positions are by e.
+  const FloatLanes size = magnitude(apart.x) + magnitude(apart.y) + magnitude(apart.z) + length_a + length_b;
+  const FloatLanes slack = lengths * (rounding_ + 2e-5f * size);
+  const FloatLanes slack_a = slack * length_a, slack_b = slack * length_b;
+  const FloatLanes below = -beside * square, above = (1.0f + beside) * square;
+  // Comparisons with what is not a number are false.
+  const TruthLanes beside_each_other = (square <= sine_squared * lengths * lengths) | (s < below - slack_b) |
+                                       (s > above + slack_b) | (t < below - slack_a) | (t > above + slack_a);
+  return ~bits_of(beside_each_other) & ((1u << pairs.n) - 1);
+}
+
 }  // namespace contactsim

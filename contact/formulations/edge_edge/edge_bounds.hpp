@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <Eigen/Geometry>
-#include <cmath>
-#include <span>
+#include <array>
+#include <cstdint>
 
+#include "contact/geometry/float_lanes.hpp"
 #include "contact/mesh/contact_kinematics.hpp"
 #include "core/base/bytes_of.hpp"
 #include "core/base/indexed_vector.hpp"
@@ -17,9 +17,20 @@ class EdgeBounds {
   /// Takes over where edges are.
   ///   depth_before  how deep each was in the last step: those that touched something count always [length]
   void update(const ContactKinematics& kinematics, const IndexedVector<EdgeIndex, float>& depth_before);
-  /// Whether two edges may cross, seen along the normal of both, at whatever distance; always unless both are
-  /// sharp and touched nothing. Says yes rather too often.
-  bool may_cross(EdgeIndex first, EdgeIndex second) const;
+  /// Some pairs of edges.
+  struct Pairs {
+    std::array<EdgeIndex, n_float_lanes> first, second;
+    std::size_t n = 0;
+
+    bool are_full() const { return n == n_float_lanes; }
+    void add(EdgeIndex a, EdgeIndex b) {
+      first[n] = a;
+      second[n++] = b;
+    }
+  };
+  /// Which pairs, as bits, may cross, seen along the normal of both, at whatever distance; those always that
+  /// are not both sharp, or of which one touched something. Says yes rather too often.
+  std::uint32_t may_cross(const Pairs& pairs) const;
   std::size_t bytes() const { return bytes_of(bounds_); }
 
  private:
@@ -30,23 +41,5 @@ class EdgeBounds {
   IndexedVector<EdgeIndex, Bound> bounds_;
   float rounding_ = 0.0f;  // of positions in single precision, at most [length]
 };
-
-inline bool EdgeBounds::may_cross(EdgeIndex first, EdgeIndex second) const {
-  const Bound &a = bounds_[first], &b = bounds_[second];
-  // From which angle on edges cross, and how far beside each other they still do over their lengths [1]: less
-  // strict than find_edge_gap().
-  constexpr float sine_squared = 0.02f, beside = 1e-4f;
-  const Eigen::Vector3f normal = a.along.cross(b.along), apart = b.from - a.from;
-  const float square = normal.squaredNorm(), lengths = a.length * b.length;
-  // Comparisons with what is not a number are false.
-  if (square <= sine_squared * lengths * lengths) return false;
-  const float s = apart.cross(b.along).dot(normal), t = apart.cross(a.along).dot(normal);
-  // With a size L the places along the edges are wrong by |n| |p| (e + L r) where positions are by e.
-  const float size = apart.lpNorm<1>() + a.length + b.length;
-  const float slack = std::sqrt(square) * (rounding_ + 2e-5f * size);
-  const float below = beside * square, above = (1.0f + beside) * square;
-  return !(s < -below - slack * b.length || s > above + slack * b.length || t < -below - slack * a.length ||
-           t > above + slack * a.length);
-}
 
 }  // namespace contactsim

@@ -2,6 +2,7 @@
 #include "contact/formulations/edge_edge/edge_edge_contacts.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <limits>
 
 #include "contact/formulations/contact_point_law.hpp"
@@ -174,12 +175,22 @@ void EdgeEdgeContacts::begin_detection(const ContactStepContext& context) {
 
 void EdgeEdgeContacts::detect(const ContactStepContext& context, CandidateRows rows,
                               std::vector<ContactPoint>& points) const {
+  EdgeBounds::Pairs pairs;
+  const auto detect_pairs = [&] {
+    const std::uint32_t may_cross = bounds_.may_cross(pairs);
+    for (std::uint32_t left = may_cross; left != 0; left &= left - 1) {
+      const auto lane = static_cast<std::size_t>(std::countr_zero(left));
+      detect_one(context, pairs.first[lane], pairs.second[lane], points);
+    }
+    pairs.n = 0;
+  };
   for (const EdgeIndex row : rows.indices<EdgeIndex>()) {
-    for (std::size_t k = candidates_.first_pair(row); k < candidates_.end_pair(row); ++k) {
-      const EdgeIndex partner = candidates_.partner(k);
-      if (bounds_.may_cross(row, partner)) detect_one(context, row, partner, points);
+    for (const EdgeIndex partner : candidates_.of(row)) {
+      pairs.add(row, partner);
+      if (pairs.are_full()) detect_pairs();
     }
   }
+  detect_pairs();
 }
 
 void EdgeEdgeContacts::detect_one(const ContactStepContext& context, EdgeIndex first_edge,

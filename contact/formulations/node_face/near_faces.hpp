@@ -3,7 +3,6 @@
 
 #include <array>
 
-#include "contact/formulations/near_pairs.hpp"
 #include "contact/formulations/node_face/node_face_contacts.hpp"
 #include "contact/formulations/penalty.hpp"
 #include "contact/geometry/node_face.hpp"
@@ -28,18 +27,6 @@ struct NodeFaceContacts::NearFace {
   double deeper = 0.0;    ///< by the node's multiplier [length]
 };
 
-//// How far off a face a node may touch it.
-struct NodeFaceContacts::Reach {
-  double closed = 0.0;     ///< by which both have closed in the last step, at most [length]
-  double near = 0.0;       ///< gaps up to it may close soon [length]
-  double from_afar = 0.0;  ///< gaps up to it count [length]
-  double held = 0.0;       ///< of what may not part [length]
-  double offset = 0.0;     ///< taken off the gap [length]
-  double deeper = 0.0;     ///< by the node's multiplier [length]
-  double deepest = 0.0;    ///< how far behind the face counts [length]
-  double beyond = 0.0;     ///< how far beyond its edges [length]
-};
-
 /// The few faces that a node is near to. More than fit are left out, the ones found last.
 struct NodeFaceContacts::NearFaces {
   static constexpr std::size_t max_faces = 16;
@@ -53,10 +40,5 @@ struct NodeFaceContacts::NearFaces {
   auto begin() { return all.begin(); }
   auto end() { return all.begin() + static_cast<std::ptrdiff_t>(n); }
 };
-
-/// How far beyond the edges of a face a node may stand [length].
-inline double allowed_beyond(const SurfacePair& pair, const FaceBound& face) {
-  return pair.tangential_tolerance.value_or(automatic_beyond * face.radius());
-}
 
 }  // namespace contactsim

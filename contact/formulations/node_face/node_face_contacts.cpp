@@ -2,6 +2,7 @@
 #include "contact/formulations/node_face/node_face_contacts.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 
 #include "contact/formulations/cohesive_traction.hpp"
@@ -22,6 +23,28 @@ namespace {
 
 /// Nodes that stand this share of an element's thickness beyond an edge project inside it.
 constexpr double just_beyond = 1e-6;
+
+double allowed_beyond(const SurfacePair& pair, const FaceBound& face) {
+  return pair.tangential_tolerance.value_or(automatic_beyond * face.radius());
+}
+
+/// How a node and a face close.
+struct Closing {
+  double thinner = 0.0;  // of both [length]
+  double closed = 0.0;   // in the last step, in the mean [length]
+  double soon = 0.0;     // within the time that is looked ahead, at most [length]
+  double margin = 0.0;   // gaps up to it are balanced however slow both are [length]
+};
+
+Closing find_closing(const ContactStepContext& context, const SurfaceNode& node, const ContactFace& face,
+                     const FaceBound& bound) {
+  const Eigen::Vector3f closing = bound.velocity() - context.kinematics.v(node.node).cast<float>();
+  const float mean = closing.dot(bound.normal());
+  const double thinner = std::min(face.penalty_properties.thickness, node.penalty_properties.thickness);
+  return {thinner, above_zero(mean) * context.dt,
+          above_zero(mean + bound.normal_velocity_spread()) * context.ahead(),
+          context.balances ? closed_share * thinner : 0.0};
+}
 
 bool has_corner(const ContactFace& face, ContactNodeIndex node) {
   return std::find(face.corners.begin(), face.corners.end(), node) != face.corners.end();
@@ -48,8 +71,7 @@ void NodeFaceContacts::detect_one(const ContactStepContext& context, SurfaceNode
                                   NearFaces& near_faces, std::vector<ContactPoint>& points) const {
   const NodeHistory node_history = history_.of(row);
   near_faces.n = 0;
-  for (const FaceIndex face : candidates_.of(row))
-    add_near_face(context, row, face, node_history, near_faces);
+  find_near_faces(context, row, node_history, near_faces);
   if (!start_partners_.empty()) choose_planes(near_faces);
   if (near_faces.n > 1) choose(context, row, node_history, near_faces);
   for (NearFace& near_face : near_faces) {
@@ -68,37 +90,55 @@ void NodeFaceContacts::detect_one(const ContactStepContext& context, SurfaceNode
   }
 }
 
+void NodeFaceContacts::find_near_faces(const ContactStepContext& context, SurfaceNodeIndex row,
+                                       const NodeHistory& node_history, NearFaces& near_faces) const {
+  const bool is_known = !node_history.face_histories.empty();
+  std::optional<NodeReach> reach;
+  NodeReach::Faces faces;
+  const auto add_faces = [&] {
+    for (std::uint32_t left = reach->find(faces); left != 0; left &= left - 1) {
+      const auto lane = static_cast<std::size_t>(std::countr_zero(left));
+      add_near_face(context, row, {faces.face(lane), *reach, faces.limits(lane)}, node_history, near_faces);
+    }
+    faces.clear();
+  };
+  std::optional<SurfaceIndex> surface;  // that the reach is for
+  for (const FaceIndex face : candidates_.of(row)) {
+    const ReachBounds::Bound& bound = bounds_[face];
+    if (surface && (surface != bound.surface || faces.are_full())) add_faces();
+    if (surface != bound.surface) reach.emplace(context, bounds_, row, bound.surface, is_known);
+    surface = bound.surface;
+    if (reach->rule().is_balanced == context.balances) faces.add(face, bound);
+  }
+  if (surface) add_faces();
+}
+
 void NodeFaceContacts::add_near_face(const ContactStepContext& context, SurfaceNodeIndex row,
-                                     FaceIndex face_index, const NodeHistory& node_history,
+                                     const FaceInReach& in_reach, const NodeHistory& node_history,
                                      NearFaces& near_faces) const {
+  const auto& [face_index, reach, limits] = in_reach;
   const SurfaceNode& node = contact_mesh_.surface_nodes[row];
   const ContactFace& face = contact_mesh_.faces[face_index];
-  const PairIndex pair = *context.rules.find(node.surface, face.surface);
-  const PairRule& rule = context.rules.of_node(pair, row);
-  if (rule.is_balanced != context.balances) return;
+  const PairRule& rule = reach.rule();
   const FaceBound& bound = context.kinematics.bound(face_index);
   const Eigen::Vector3d x = context.kinematics.x(node.node);
-  const Reach reach = find_reach(context, {row, node, face_index, face, bound, rule, x},
-                                 !node_history.face_histories.empty());
   const bool keeps_plane = rule.pair->behavior == InteractionBehavior::infinitesimal_sliding &&
                            start_partners_.has(row, face_index);
   const double anywhere = keeps_plane ? std::numeric_limits<float>::max() : 0.0;
-  const double activation_distance = std::max(reach.from_afar, reach.held);
-  if (!may_project_inside(x, bound, activation_distance + std::max(reach.offset, 0.0) + node.radius,
-                          reach.deepest + std::max(-reach.offset, 0.0),
-                          std::max(reach.beyond + node.radius, anywhere)) ||
+  if (!may_project_inside(x, bound, limits.above, limits.below, std::max<double>(limits.beyond, anywhere)) ||
       has_corner(face, node.node))
     return;
   if (!rule.is_active || rule.law == ContactLaw::tied) return;
-  if (rule.law != ContactLaw::sliding && context.constrained.holds_node(row, pair)) return;
+  if (rule.law != ContactLaw::sliding && context.constrained.holds_node(row, reach.pair())) return;
   const MovingFace moving = context.kinematics.face(face_index);
   const SmoothFace* round = contact_mesh_.smooth_faces.find(rule.pair->smoothing, face_index);
   const auto point = project_sphere(moving.x, moving.is_triangle, round, x, node.radius);
+  const Closing closing = find_closing(context, node, face, bound);
   NearFace near_face;
   near_face.face = face_index;
-  near_face.pair = pair;
-  near_face.near = reach.near;
-  near_face.deeper = reach.deeper;
+  near_face.pair = reach.pair();
+  near_face.near = std::max(closing.soon, closing.margin);
+  near_face.deeper = reach.deeper();
   near_face.is_plane = keeps_plane && stand_on_plane(moving, x, node.radius, near_face);
   if (!near_face.is_plane) {
     if (!point) return;
@@ -106,17 +146,19 @@ void NodeFaceContacts::add_near_face(const ContactStepContext& context, SurfaceN
     near_face.distance = std::abs(point->gap + node.radius) + point->beyond;
     near_face.weights = corner_weights(point->xi, point->eta, moving.is_triangle);
   }
-  near_face.point.gap -= reach.offset;
+  near_face.point.gap -= reach.offset();
   near_face.penalty = make_pair_penalty(node.penalty_properties, &face.penalty_properties, rule);
   if (context.is_static) near_face.penalty.law = {};  // multipliers press what is deep
   const bool is_known = node_history.knows(near_face.point.normal);
   near_face.penalty.depth =
       is_known ? any_depth
-               : std::max(near_face.penalty.depth, 1.5 * reach.closed) + std::max(reach.offset, 0.0);
-  near_face.pulls = near_face.point.gap <= reach.held && reach.held > 0.0 &&
+               : std::max(near_face.penalty.depth, 1.5 * closing.closed) + std::max(reach.offset(), 0.0);
+  const double held = node_history.face_histories.empty() ? 0.0 : rule.pair->held_gap(closing.thinner);
+  near_face.pulls = near_face.point.gap <= held && held > 0.0 &&
                     node_history.touched(near_face.pair, near_face.point.normal);
-  if ((near_face.point.gap > reach.from_afar && !near_face.pulls) ||
-      -near_face.point.gap > near_face.penalty.depth)
+  const double from_afar = std::max({rule.activation_distance, near_face.near,
+                                     context.dt > 0.0 ? 0.0 : static_cast<double>(bound.radius())});
+  if ((near_face.point.gap > from_afar && !near_face.pulls) || -near_face.point.gap > near_face.penalty.depth)
     return;
   if (!comes_from_outside(context, node, moving, near_face, node_history.depth(near_face.point.normal)))
     return;

@@ -7,6 +7,7 @@
 #include "contact/formulations/contact_formulation.hpp"
 #include "contact/formulations/node_face/node_areas.hpp"
 #include "contact/formulations/node_face/node_face_history.hpp"
+#include "contact/formulations/node_face/node_reach.hpp"
 #include "contact/formulations/start_partners.hpp"
 #include "contact/mesh/pair_lists.hpp"
 
@@ -29,12 +30,15 @@ class NodeFaceContacts {
   std::size_t n_rows() const { return candidates_.n_rows(); }
   std::size_t n_candidates() const { return candidates_.partners.size(); }
   const NodeFaceLists& candidates() const { return candidates_; }
-  std::size_t bytes() const { return candidates_.bytes(); }
+  std::size_t bytes() const { return candidates_.bytes() + bounds_.bytes(); }
   /// A node looks at its own faces, too, and at those around the faces that it may touch.
   void watch(IndexedVector<FaceIndex, std::uint8_t>& is_watched) const;
 
   void begin_step() { history_.begin_step(); }
   void undo_begin_step() {}
+  void begin_detection(const ContactStepContext& context) {
+    if (n_candidates() > 0) bounds_.update(context);
+  }
   void detect(const ContactStepContext& context, CandidateRows rows, std::vector<ContactPoint>& points) const;
   void update(const ContactStepContext& context, CandidateRows rows, std::span<const ContactPoint> points) {
     history_.update(context, rows.begin / rows_per_chunk, points);
@@ -63,26 +67,19 @@ class NodeFaceContacts {
 
   struct NearFace;
   struct NearFaces;
-  struct Reach;
-  struct NodeAndFace {
-    SurfaceNodeIndex row;
-    const SurfaceNode& node;
-    FaceIndex face_index;
-    const ContactFace& face;
-    const FaceBound& bound;
-    const PairRule& rule;
-    const Eigen::Vector3d& x;  // of the node [length]
+  struct FaceInReach {
+    FaceIndex face;
+    const NodeReach& reach;
+    NodeReach::Limits limits;
   };
 
   void detect_one(const ContactStepContext& context, SurfaceNodeIndex row, NearFaces& near_faces,
                   std::vector<ContactPoint>& points) const;
-  void add_near_face(const ContactStepContext& context, SurfaceNodeIndex row, FaceIndex face,
+  /// Finds the faces that the node may touch.
+  void find_near_faces(const ContactStepContext& context, SurfaceNodeIndex row,
+                       const NodeHistory& node_history, NearFaces& near_faces) const;
+  void add_near_face(const ContactStepContext& context, SurfaceNodeIndex row, const FaceInReach& in_reach,
                      const NodeHistory& node_history, NearFaces& near_faces) const;
-  /// How far off a face a node may touch it.
-  ///   is_known  the node touched something in the last step
-  Reach find_reach(const ContactStepContext& context, const NodeAndFace& pair, bool is_known) const;
-  static bool must_come_from_outside(const ContactStepContext& context, const PairRule& rule);
-  static double deepest_of_unknown(const ContactStepContext& context, const NodeAndFace& pair, double closed);
   /// Whether one of the node's own faces is turned towards a face with this normal; of nodes without faces
   /// always.
   bool is_facing(const ContactStepContext& context, const SurfaceNode& node,
@@ -116,6 +113,7 @@ class NodeFaceContacts {
   StartPartners<SurfaceNodeIndex> start_partners_;
   std::vector<ReleasedPartner<SurfaceNodeIndex>> released_;
   NodeFaceHistory history_;
+  ReachBounds bounds_;    // of the step
   NodeAreas node_areas_;  // scratch
 };
 

@@ -152,7 +152,7 @@ TEST_CASE("a mesh in another order is renumbered to the same one", "[core][mesh]
 
 TEST_CASE("512 elements that follow each other are a cube, their nodes near each other", "[core][mesh]") {
   MeshBuilder b;
-  b.add_hexes({.id = 1, .cells = {32, 16, 16}});
+  b.add_hexes({.id = 1, .cells = {32, 16, 16}, .size = {32, 16, 16}});
   const Mesh mesh = renumber_mesh(b.build());
   for (std::uint32_t first = 0; first < mesh.n_elements(); first += 512)
     CHECK(n_nodes_of(mesh.blocks()[0], first, 512) == 9 * 9 * 9);

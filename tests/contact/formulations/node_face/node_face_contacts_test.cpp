@@ -71,6 +71,7 @@ struct TipOnFloor : ContactParts {
   }
   std::vector<ContactPoint> look(double dt) {
     std::vector<ContactPoint> points;
+    contacts.begin_detection(context(dt));
     contacts.detect(context(dt), {0, contacts.n_rows()}, points);
     contacts.update(context(dt), {0, contacts.n_rows()}, points);
     return points;
