@@ -9,11 +9,13 @@ namespace contactsim {
 
 namespace {
 
-bool are_counting(std::span<const std::int64_t> ids) {
-  for (std::size_t i = 0; i < ids.size(); ++i) {
-    if (ids[i] != static_cast<std::int64_t>(i) + 1) return false;
+/// Drops numbers that count on from the first one.
+template <class Number>
+void drop_counting(Number first, std::vector<Number>& numbers) {
+  for (const Number number : numbers) {
+    if (number != first++) return;
   }
-  return true;
+  std::vector<Number>().swap(numbers);
 }
 
 template <class Item>
@@ -46,26 +48,14 @@ Mesh::Mesh(MeshParts parts) : parts_(std::move(parts)) {
   assert(parts_.node_ids.empty() || parts_.node_ids.size() == n_nodes());
   assert(parts_.element_ids.empty() || parts_.element_ids.size() == n_elements_);
   assert(parts_.node_places.size() <= n_nodes() && parts_.element_places.size() <= n_elements_);
-  for (auto* ids : {&parts_.node_ids, &parts_.element_ids}) {
-    if (are_counting(*ids)) std::vector<std::int64_t>().swap(*ids);
-  }
+  for (auto* ids : {&parts_.node_ids, &parts_.element_ids}) drop_counting(std::int64_t{1}, *ids);
+  for (auto* places : {&parts_.node_places, &parts_.element_places}) drop_counting(std::uint32_t{0}, *places);
   node_by_id_ = IdLookup(parts_.node_ids);
   element_by_id_ = IdLookup(parts_.element_ids);
   by_name_ = {make_lookup(EntityKind::block, parts_.blocks),
               make_lookup(EntityKind::side_set, parts_.side_sets),
               make_lookup(EntityKind::node_set, parts_.node_sets),
               make_lookup(EntityKind::assembly, parts_.assemblies)};
-}
-
-Mesh Mesh::with_side_sets(std::span<const SideSet> more) const {
-  MeshParts parts = parts_;
-  std::int64_t id = 0;
-  for (const SideSet& set : parts.side_sets) id = std::max(id, set.id);
-  for (const SideSet& set : more) {
-    parts.side_sets.push_back(set);
-    parts.side_sets.back().id = ++id;
-  }
-  return Mesh(std::move(parts));
 }
 
 Mesh Mesh::with_cohesive_blocks(std::span<const std::uint32_t> blocks) const {

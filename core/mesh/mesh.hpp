@@ -109,9 +109,6 @@ class Mesh {
   ///   blocks  positions
   Mesh with_cohesive_blocks(std::span<const std::uint32_t> blocks) const;
 
-  /// A copy with side sets besides its own; they get the ids that follow the largest.
-  Mesh with_side_sets(std::span<const SideSet> more) const;
-
   const std::string& path() const { return parts_.path; }
   const std::string& title() const { return parts_.title; }
   const Eigen::Matrix3Xd& coordinates() const { return parts_.coordinates; }

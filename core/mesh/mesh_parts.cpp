@@ -13,6 +13,16 @@ std::vector<T> copied(std::span<const T> items) {
   return {items.begin(), items.end()};
 }
 
+template <class Set>
+void append(std::span<const Set> more, std::vector<Set>& sets) {
+  std::int64_t id = 0;
+  for (const Set& set : sets) id = std::max(id, set.id);
+  for (const Set& set : more) {
+    sets.push_back(set);
+    sets.back().id = ++id;
+  }
+}
+
 }  // namespace
 
 MeshParts parts_of(const Mesh& mesh) {
@@ -32,15 +42,9 @@ MeshParts parts_of(const Mesh& mesh) {
   return parts;
 }
 
-Mesh with_node_sets(const Mesh& mesh, std::span<const NodeSet> more) {
-  MeshParts parts = parts_of(mesh);
-  std::int64_t id = 0;
-  for (const NodeSet& set : parts.node_sets) id = std::max(id, set.id);
-  for (const NodeSet& set : more) {
-    parts.node_sets.push_back(set);
-    parts.node_sets.back().id = ++id;
-  }
-  return Mesh(std::move(parts));
+void add_sets(std::span<const SideSet> side_sets, std::span<const NodeSet> node_sets, MeshParts& parts) {
+  append(side_sets, parts.side_sets);
+  append(node_sets, parts.node_sets);
 }
 
 }  // namespace contactsim

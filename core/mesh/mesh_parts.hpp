@@ -10,7 +10,7 @@ namespace contactsim {
 /// A copy of all that a mesh is made of, with the ids of every node and element.
 MeshParts parts_of(const Mesh& mesh);
 
-/// A copy of a mesh with node sets besides its own; they get the ids that follow the largest.
-Mesh with_node_sets(const Mesh& mesh, std::span<const NodeSet> more);
+/// Adds sets besides its own to what a mesh is made of; they get the ids that follow the largest.
+void add_sets(std::span<const SideSet> side_sets, std::span<const NodeSet> node_sets, MeshParts& parts);
 
 }  // namespace contactsim

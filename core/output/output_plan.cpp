@@ -79,9 +79,14 @@ std::vector<StepTarget> OutputPlan::step_targets() const {
   return targets;
 }
 
+/// Nothing where no file has a mesh: a copy takes as much memory as the mesh of the run.
 Mesh OutputPlan::results_mesh() const {
-  return rigid_part_.on(
-      with_node_sets(model_.mesh->with_side_sets(settings_.side_sets), settings_.node_sets));
+  if (!std::ranges::any_of(results_, [](const Results& results) { return results.plan.file.has_mesh; }))
+    return {};
+  MeshParts parts = parts_of(*model_.mesh);
+  add_sets(settings_.side_sets, settings_.node_sets, parts);
+  rigid_part_.add_to(parts);
+  return Mesh(std::move(parts));
 }
 
 std::vector<OutputEstimate> OutputPlan::estimate(double begin, double step, std::int64_t n_steps) {

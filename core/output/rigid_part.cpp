@@ -19,30 +19,24 @@ Eigen::Vector3d value_of(const std::string& field, const RigidBody& body, const 
   return name == "coordinates" ? state.position : Eigen::Vector3d::Zero();
 }
 
-/// The ids of all entities, then those that follow the largest.
-template <class Index, class Id>
-std::vector<std::int64_t> ids_of(std::uint32_t n, std::uint32_t n_more, const Id& id) {
-  std::vector<std::int64_t> ids;
-  std::int64_t largest = 0;
-  for (std::uint32_t i = 0; i < n; ++i) {
-    ids.push_back(id(Index{i}));
-    largest = std::max(largest, ids.back());
-  }
-  for (std::uint32_t i = 0; i < n_more; ++i) ids.push_back(++largest);
-  return ids;
+/// Adds ids that follow the largest.
+void add_ids(std::size_t n, std::vector<std::int64_t>& ids) {
+  std::int64_t largest = ids.empty() ? 0 : std::ranges::max(ids);
+  for (std::size_t i = 0; i < n; ++i) ids.push_back(++largest);
 }
 
 /// A block of spheres at the nodes that follow those of the mesh.
-ElementBlock make_spheres(const Mesh& mesh, std::uint32_t n) {
+ElementBlock make_spheres(const MeshParts& parts, std::uint32_t n) {
   ElementBlock block;
   block.name = RigidPart::name;
   block.shape = Shape::sphere;
   block.type_name = topology(Shape::sphere).name;
   block.nodes_per_element = 1;
   block.n_elements = n;
-  for (const ElementBlock& other : mesh.blocks()) block.id = std::max(block.id, other.id);
+  for (const ElementBlock& other : parts.blocks) block.id = std::max(block.id, other.id);
   ++block.id;
-  for (std::uint32_t i = 0; i < n; ++i) block.nodes.push_back({mesh.n_nodes() + i});
+  const auto n_nodes = static_cast<std::uint32_t>(parts.coordinates.cols());
+  for (std::uint32_t i = 0; i < n; ++i) block.nodes.push_back({n_nodes + i});
   return block;
 }
 
@@ -52,18 +46,16 @@ bool RigidPart::exists() const {
   return !model_.rigid.empty() && !model_.mesh->find(EntityKind::block, std::string(name));
 }
 
-Mesh RigidPart::on(const Mesh& mesh) const {
-  if (!exists()) return mesh;
+void RigidPart::add_to(MeshParts& parts) const {
+  if (!exists()) return;
   const auto& bodies = model_.rigid.bodies;
-  const auto n = static_cast<std::uint32_t>(bodies.size());
-  MeshParts parts = parts_of(mesh);
-  parts.coordinates.conservativeResize(3, mesh.n_nodes() + n);
-  for (std::uint32_t i = 0; i < n; ++i) parts.coordinates.col(mesh.n_nodes() + i) = bodies[i].centre;
-  parts.blocks.push_back(make_spheres(mesh, n));
-  parts.node_ids = ids_of<NodeIndex>(mesh.n_nodes(), n, [&](NodeIndex node) { return mesh.node_id(node); });
-  parts.element_ids = ids_of<ElementIndex>(mesh.n_elements(), n,
-                                           [&](ElementIndex element) { return mesh.element_id(element); });
-  return Mesh(std::move(parts));
+  parts.blocks.push_back(make_spheres(parts, static_cast<std::uint32_t>(bodies.size())));
+  const Eigen::Index n_nodes = parts.coordinates.cols();
+  parts.coordinates.conservativeResize(3, n_nodes + std::ssize(bodies));
+  for (std::size_t i = 0; i < bodies.size(); ++i)
+    parts.coordinates.col(n_nodes + static_cast<Eigen::Index>(i)) = bodies[i].centre;
+  add_ids(bodies.size(), parts.node_ids);
+  add_ids(bodies.size(), parts.element_ids);
 }
 
 std::span<const double> RigidPart::extended(const OutputField& field, std::span<const double> values,

@@ -19,10 +19,10 @@ class RigidPart {
   ///   model  must outlive the part
   explicit RigidPart(const Model& model) : model_(model) {}
 
-  /// The mesh with the block, or as it is without rigid bodies or when it has such a block already.
-  Mesh on(const Mesh& mesh) const;
+  /// Adds the block to the parts_of() the mesh, but without rigid bodies or when it has such a block already.
+  void add_to(MeshParts& parts) const;
 
-  /// The values of a nodal field at the nodes of a mesh that `on` returned; those of other fields as they
+  /// The values of a nodal field at the nodes of a mesh with the block; those of other fields as they
   /// are. At the references displacement, velocity, acceleration and coordinates are those of the bodies,
   /// whatever else is 0. Good until the next call.
   ///   values  of the run's own mesh, entity by entity

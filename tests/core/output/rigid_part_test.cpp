@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "core/output/rigid_part.hpp"
 
+#include <utility>
+
+#include "core/mesh/mesh_parts.hpp"
 #include "support/catch.hpp"
 #include "support/mesh_builder.hpp"
 
@@ -30,6 +33,13 @@ struct TwoBodies {
   }
 };
 
+/// The mesh of the results.
+Mesh with_part(const Model& model, const Mesh& mesh) {
+  MeshParts parts = parts_of(mesh);
+  RigidPart(model).add_to(parts);
+  return Mesh(std::move(parts));
+}
+
 OutputField field_of(const std::string& name, FieldLocation location = FieldLocation::node) {
   return {name, location, FieldShape::vector, 3};
 }
@@ -38,7 +48,7 @@ OutputField field_of(const std::string& name, FieldLocation location = FieldLoca
 
 TEST_CASE("rigid bodies get spheres at their references in results files", "[core][output]") {
   TwoBodies two;
-  const Mesh mesh = RigidPart(two.model).on(two.mesh);
+  const Mesh mesh = with_part(two.model, two.mesh);
   REQUIRE(mesh.blocks().size() == 2);
   CHECK(mesh.n_nodes() == 10);
   CHECK(mesh.name({EntityKind::block, 1}) == "RigidBodyOutputPart");
@@ -53,7 +63,7 @@ TEST_CASE("rigid bodies get spheres at their references in results files", "[cor
 TEST_CASE("ids of rigid references follow the largest of the mesh", "[core][output]") {
   TwoBodies two(
       MeshBuilder().add_hexes({}).set_node_ids({10, 20, 30, 40, 50, 60, 70, 5}).set_element_ids({9}));
-  const Mesh mesh = RigidPart(two.model).on(two.mesh);
+  const Mesh mesh = with_part(two.model, two.mesh);
   CHECK(mesh.node_id({8}) == 71);
   CHECK(mesh.node_id({9}) == 72);
   CHECK(mesh.element_id({1}) == 10);
@@ -79,8 +89,8 @@ TEST_CASE("a mesh without rigid bodies, or with their block, stays as it is", "[
   TwoBodies two;
   two.model.rigid.bodies.clear();
   const std::vector<double> values(24, 1.0);
-  CHECK(RigidPart(two.model).on(two.mesh).blocks().size() == 1);
+  CHECK(with_part(two.model, two.mesh).blocks().size() == 1);
   CHECK(RigidPart(two.model).extended(field_of("velocity"), values, two.state).size() == 24);
   TwoBodies again(MeshBuilder().add_hexes({}).add_spheres(2, std::string(RigidPart::name), {{0, 0, 0}}));
-  CHECK(RigidPart(again.model).on(again.mesh).blocks().size() == 2);
+  CHECK(with_part(again.model, again.mesh).blocks().size() == 2);
 }
