@@ -42,6 +42,9 @@ void widen(double margin, Box& box) {
   }
 }
 
+/// The larger of two numbers; what is not a number stays.
+double larger(double most, double value) { return value <= most || std::isnan(most) ? most : value; }
+
 template <class AnIndex>
 double depth_of(std::span<const float> depths, AnIndex i) {
   return depths.empty() ? 0.0 : depths[i.value];
@@ -117,20 +120,39 @@ bool ContactSearch::has_room(SurfaceIndex first, double first_used, SurfaceIndex
   return (first_used - 1.0) * widest_margin_[first] <= (1.0 - second_used) * narrowest_margin_[second];
 }
 
+double ContactSearch::used_margin(const ContactKinematics& kinematics, SurfaceNodeIndex row) const {
+  const ContactNodeIndex node = contact_mesh_.surface_nodes[row].node;
+  const Eigen::Vector3d now = kinematics.x(node) - searched_from_;
+  const double moved = (now - searched_at_[node].cast<double>()).norm() + rounding * now.lpNorm<1>();
+  return moved / node_margin_[node];
+}
+
 IndexedVector<SurfaceIndex, double> ContactSearch::used_margins(const ContactKinematics& kinematics) const {
-  const auto n_surfaces = static_cast<std::uint32_t>(contact_mesh_.n_surfaces());
-  IndexedVector<SurfaceIndex, double> used(n_surfaces, 0.0);
-  parallel_for_uneven(n_surfaces, threads_for(contact_mesh_.n_nodes()), [&](std::uint32_t i) {
+  // In pieces: all nodes may be of one surface.
+  constexpr std::uint32_t rows_per_piece = 2048;
+  struct Piece {
+    SurfaceIndex surface;
+    std::uint32_t begin, end;
     double most = 0.0;
-    for (const SurfaceNodeIndex row : contact_mesh_.rows_of({i})) {
-      const ContactNodeIndex node = contact_mesh_.surface_nodes[row].node;
-      const Eigen::Vector3d now = kinematics.x(node) - searched_from_;
-      const double moved = (now - searched_at_[node].cast<double>()).norm() + rounding * now.lpNorm<1>();
-      const double share = moved / node_margin_[node];
-      most = share <= most ? most : share;  // what is not a number stays
+  };
+  std::vector<Piece> pieces;
+  const SurfaceIndex past{static_cast<std::uint32_t>(contact_mesh_.n_surfaces())};
+  for (const SurfaceIndex surface : IndexRange<SurfaceIndex>({}, past)) {
+    const auto rows = contact_mesh_.rows_of(surface);
+    const std::uint32_t end = (*rows.end()).value;
+    for (std::uint32_t i = (*rows.begin()).value; i < end; i += rows_per_piece)
+      pieces.push_back({surface, i, std::min(i + rows_per_piece, end)});
+  }
+  parallel_for_uneven(pieces.size(), threads_for(contact_mesh_.n_nodes()), [&](std::size_t i) {
+    Piece& piece = pieces[i];
+    for (std::uint32_t row = piece.begin; row < piece.end; ++row) {
+      piece.most = larger(piece.most, used_margin(kinematics, {row}));
     }
-    used[{i}] = most;
   });
+  IndexedVector<SurfaceIndex, double> used(contact_mesh_.n_surfaces(), 0.0);
+  for (const Piece& piece : pieces) {
+    used[piece.surface] = larger(used[piece.surface], piece.most);
+  }
   return used;
 }
 

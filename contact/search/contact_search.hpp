@@ -105,7 +105,8 @@ class ContactSearch {
  private:
   void set_margins();
   void set_surface_margins();
-  /// How far some node of each surface has moved since the last search, over its margin [1]
+  /// How far a node, or some node of each surface, has moved since the last search, over its margin [1]
+  double used_margin(const ContactKinematics& kinematics, SurfaceNodeIndex row) const;
   IndexedVector<SurfaceIndex, double> used_margins(const ContactKinematics& kinematics) const;
   /// Whether the margins that two surfaces have used up leave room between all their faces: what one has used
   /// beyond its own, at its widest, the other has left at its narrowest.
