@@ -34,11 +34,19 @@ MeshParts parts_of(const Mesh& mesh) {
   parts.side_sets = copied(mesh.side_sets());
   parts.node_sets = copied(mesh.node_sets());
   parts.assemblies = copied(mesh.assemblies());
-  for (std::uint32_t i = 0; i < mesh.n_nodes(); ++i) parts.node_ids.push_back(mesh.node_id({i}));
-  for (std::uint32_t i = 0; i < mesh.n_elements(); ++i) parts.element_ids.push_back(mesh.element_id({i}));
-  for (std::uint32_t i = 0; i < mesh.n_nodes(); ++i) parts.node_places.push_back(mesh.node_place({i}));
-  for (std::uint32_t i = 0; i < mesh.n_elements(); ++i)
+  const std::uint32_t n_nodes = mesh.n_nodes(), n_elements = mesh.n_elements();
+  parts.node_ids.reserve(n_nodes);
+  parts.node_places.reserve(n_nodes);
+  for (std::uint32_t i = 0; i < n_nodes; ++i) {
+    parts.node_ids.push_back(mesh.node_id({i}));
+    parts.node_places.push_back(mesh.node_place({i}));
+  }
+  parts.element_ids.reserve(n_elements);
+  parts.element_places.reserve(n_elements);
+  for (std::uint32_t i = 0; i < n_elements; ++i) {
+    parts.element_ids.push_back(mesh.element_id({i}));
     parts.element_places.push_back(mesh.element_place({i}));
+  }
   return parts;
 }
 
