@@ -78,7 +78,8 @@ Simulation::Parts::Parts(const RunInput& run_input, RunSettings run_settings, Di
       energy_warnings(setup.model, diagnostics),
       load_step_warnings(diagnostics) {
   stop_on_errors(diagnostics);
-  set_initial_state(setup.initial, setup.model.blocks, state);
+  // A value of every node: not to be kept.
+  set_initial_state(std::exchange(setup.initial, {}), setup.model.blocks, state);
   if (death) death->begin(state);
   if (contact) {
     timed_contact.emplace(contact->force());
