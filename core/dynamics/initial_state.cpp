@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <utility>
 
 #include "core/conditions/initial_velocity.hpp"
 #include "core/definition/region.hpp"
@@ -49,10 +50,10 @@ InitialState make_initial_state(const ConditionScope& scope, std::span<const Mod
   return state;
 }
 
-void set_initial_state(const InitialState& initial, std::span<const ModelBlock> blocks, State& state) {
-  state.velocity = initial.velocity;
+void set_initial_state(InitialState initial, std::span<const ModelBlock> blocks, State& state) {
+  state.velocity = std::move(initial.velocity);
   state.coordinates += initial.displacement;
-  if (state.rotations.exist()) state.rotations.velocity = initial.angular_velocity;
+  if (state.rotations.exist()) state.rotations.velocity = std::move(initial.angular_velocity);
   for (const InitialElementValues& given : initial.element_values) {
     for (std::size_t i = 0; i < blocks.size(); ++i) set_block(given, blocks[i], state.blocks[i]);
   }

@@ -38,6 +38,6 @@ InitialState make_initial_state(const ConditionScope& scope, std::span<const Mod
 
 /// Brings a state at rest to the start.
 ///   state  of the blocks
-void set_initial_state(const InitialState& initial, std::span<const ModelBlock> blocks, State& state);
+void set_initial_state(InitialState initial, std::span<const ModelBlock> blocks, State& state);
 
 }  // namespace contactsim
