@@ -39,13 +39,9 @@ TEST_CASE("nodes and faces are marked by their shortest way to the other body", 
   const double gap = GENERATE(0.1, 0.6);
   const double distance = GENERATE(0.05, 0.2, 0.4, 0.65, 1.15, 3.0);
   CAPTURE(gap, distance);
-  // The lower body is wide: no node is behind a side face of the other one by as little as an element.
-  MeshBuilder b;
-  b.add_hexes({.id = 1, .size = {10, 10, 1}});
-  b.add_hexes({.id = 2, .origin = {4, 5, 1 + gap}, .size = {0.5, 0.5, 1}, .share_nodes = false});
-  const MarkedParts marked(b, distance);
+  const MarkedParts marked(cube_over_cube(gap, 0.5, 0.25), distance);
   const ContactParts& parts = marked.parts;
-  const Vector3d low_1(0, 0, 0), high_1(10, 10, 1), low_2(4, 5, 1 + gap), high_2(4.5, 5.5, 2 + gap);
+  const Vector3d low_1(0, 0, 0), high_1(1, 1, 1), low_2(0.25, 0.25, 1 + gap), high_2(0.75, 0.75, 2 + gap);
   for (const SurfaceNodeIndex row : indices(parts.contact_mesh.surface_nodes)) {
     const ContactNodeIndex node = parts.contact_mesh.surface_nodes[row].node;
     const Vector3d x = parts.kinematics.x(node);
@@ -72,11 +68,47 @@ TEST_CASE("an overlap of the start is near however short the distance", "[contac
   CHECK_FALSE(marked.is_marked(face_of(marked.parts, 0, -Vector3d::UnitZ())));
 }
 
+TEST_CASE("bodies that stand over each other by a part only are as near as they are",
+          "[contact][start_reach]") {
+  // Their sides look at each other across both bodies, and do not lie in each other.
+  const double aside = GENERATE(0.6, 0.8, 0.95);
+  const MarkedParts far(cube_over_cube(0.1, 1.0, aside), 0.09), near(cube_over_cube(0.1, 1.0, aside), 0.11);
+  for (const FaceIndex face : indices(far.parts.contact_mesh.faces)) CHECK_FALSE(far.is_marked(face));
+  for (const SurfaceNodeIndex row : indices(far.parts.contact_mesh.surface_nodes))
+    CHECK_FALSE(far.is_marked(row));
+  CHECK(near.is_marked(face_of(near.parts, 0, Vector3d::UnitZ())));
+  CHECK(near.is_marked(row_of_node(near.parts, 8)));
+  // Deep in each other at an edge they are near.
+  const MarkedParts in(cube_over_cube(-0.1, 1.0, aside), 0.0);
+  CHECK(in.is_marked(face_of(in.parts, 0, Vector3d::UnitZ())));
+  CHECK(in.is_marked(row_of_node(in.parts, 8)));
+}
+
+TEST_CASE("a node behind the inner edge of a body is in it", "[contact][start_reach]") {
+  // An L of three cells, and a small cube a corner of which is behind its inner edge, in the corner cell.
+  MeshBuilder b;
+  for (const double y : {0.0, 1.0}) {
+    for (const auto& [x, z] : {std::pair(0, 0), {1, 0}, {2, 0}, {0, 1}, {1, 1}, {2, 1}, {0, 2}, {1, 2}})
+      b.add_node({double(x), y, double(z)});
+  }
+  std::vector<std::uint32_t> nodes;
+  for (const std::array<std::uint32_t, 4>& cell : {std::array{0u, 1u, 3u, 4u}, {1, 2, 4, 5}, {3, 4, 6, 7}}) {
+    for (const std::size_t low : {0, 2}) {
+      const std::uint32_t left = cell[low], right = cell[low + 1];
+      nodes.insert(nodes.end(), {left, right, right + 8, left + 8});
+    }
+  }
+  b.add_block(1, "", Shape::hex8, nodes);
+  b.add_hexes({.id = 2, .origin = {0.9, 0.25, 0.9}, .size = {0.5, 0.5, 0.5}, .share_nodes = false});
+  const MarkedParts marked(b, 0.0);
+  CHECK(marked.is_marked(row_of_node(marked.parts, 16)));
+}
+
 TEST_CASE("spheres are as near as their surface, rods as the way between their axes",
           "[contact][start_reach]") {
   MeshBuilder b;
-  b.add_hexes({.id = 1, .size = {10, 10, 1}});
-  add_balls(b, 2, {{4.4, 5.6, 1.4}}, 0.25);
+  b.add_hexes({.id = 1});
+  add_balls(b, 2, {{0.4, 0.6, 1.4}}, 0.25);
   CHECK_FALSE(MarkedParts(b, 0.14).is_marked(row_of_node(ContactParts(b, general_contact()), 8)));
   CHECK(MarkedParts(b, 0.16).is_marked(row_of_node(ContactParts(b, general_contact()), 8)));
   MeshBuilder rods;
