@@ -68,8 +68,8 @@ TEST_CASE("faces are near where their boxes meet, and their gap lies between the
   CHECK(is_near_at(0.0, -0.19));
   CHECK_FALSE(is_near_at(0.0, -0.2));
   CHECK(is_near_at(0.9, 0.05));
-  CHECK_FALSE(is_near_at(1.5, 0.05));
-  CHECK_FALSE(is_near_at(-1.5, 0.05));
+  CHECK_FALSE(is_near_at(2.5, 0.05));
+  CHECK_FALSE(is_near_at(-2.5, 0.05));
 }
 
 TEST_CASE("the overlap of two projected squares is a polygon of their common area",
