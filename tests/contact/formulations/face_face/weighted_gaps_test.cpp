@@ -27,13 +27,13 @@ struct WeighedCube {
         bottom(face_of(parts, 1, -Vector3d::UnitZ())),
         top(face_of(parts, 0, Vector3d::UnitZ())) {}
   /// An overlap that one corner has a share of.
-  WeightedOverlap overlap(std::size_t candidate, double area, double gap, double stiffness = 100.0) const {
+  WeightedOverlap overlap(std::size_t candidate, double area, double gap, double per_area = 100.0) const {
     WeightedOverlap made;
     made.first = bottom;
     made.second = top;
     made.candidate = candidate;
     made.rule = &parts.rules[{0}];
-    made.penalty.stiffness = stiffness;
+    made.penalty.stiffness = per_area;
     OverlapShare share{};
     share.area = area;
     share.part = 2;
