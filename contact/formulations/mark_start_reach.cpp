@@ -9,6 +9,8 @@
 #include "contact/geometry/common_plane.hpp"
 #include "contact/geometry/edge_edge.hpp"
 #include "contact/geometry/face_distance.hpp"
+#include "contact/geometry/face_face.hpp"
+#include "contact/geometry/node_face.hpp"
 #include "contact/mesh/mean_edge.hpp"
 #include "contact/search/broad_phase.hpp"
 
@@ -73,6 +75,9 @@ class ReachMarker {
   double way_of_node(const SurfaceNode& node, const ContactFace& face) const;
   double way_of_edges(const ContactEdge& first, const ContactEdge& second) const;
   bool are_opposed(const ContactFace& a, const ContactFace& b) const;
+  bool do_cover(FaceIndex first, FaceIndex second) const;
+  double height_over(const ContactFace& face, const Eigen::Vector3d& x) const;
+  bool is_behind(const ContactFace& face, const Eigen::Vector3d& x) const;
   FaceCorners corners(const ContactFace& face) const;
   void place_faces();
 
@@ -98,6 +103,12 @@ bool ReachMarker::are_opposed(const ContactFace& a, const ContactFace& b) const 
   return area_a.dot(area_b) < facing * area_a.norm() * area_b.norm();
 }
 
+/// Whether two faces lie over each other as seen along the normal between them.
+bool ReachMarker::do_cover(FaceIndex first, FaceIndex second) const {
+  const auto found = find_face_face_points(start_.face(first), start_.face(second));
+  return found && found->points.area > 0.0;
+}
+
 /// 0 of faces that overlap by no more than the thinner element behind them [length].
 double ReachMarker::way_between(FaceIndex first, FaceIndex second) const {
   const ContactFace &a = contact_mesh_.faces[first], &b = contact_mesh_.faces[second];
@@ -110,7 +121,25 @@ double ReachMarker::way_between(FaceIndex first, FaceIndex second) const {
   if (is_behind && a.surface == b.surface) return far;  // opposite skins
   const double way = face_distance(x, y);
   const double thinner = std::min(a.penalty_properties.thickness, b.penalty_properties.thickness);
-  return is_behind && opposed && way <= thinner ? 0.0 : way;
+  return is_behind && opposed && way <= thinner && do_cover(first, second) ? 0.0 : way;
+}
+
+double ReachMarker::height_over(const ContactFace& face, const Eigen::Vector3d& x) const {
+  return (x - corners(face).rowwise().mean()).dot(start_.area(face).normalized());
+}
+
+/// Whether a point behind the plane of a face is behind the surface: beyond an edge of the face it is not
+/// where it is in front of the next face.
+bool ReachMarker::is_behind(const ContactFace& face, const Eigen::Vector3d& x) const {
+  const auto point = project_onto_face(corners(face), face.is_triangle(), x);
+  if (!point || point->edge < 0) return true;
+  const auto edge = static_cast<std::size_t>(point->edge), n = std::size_t{face.is_triangle() ? 3u : 4u};
+  const ContactNodeIndex a = face.corners[edge], b = face.corners[(edge + 1) % n];
+  return std::ranges::none_of(contact_mesh_.faces_of_node.of(a), [&](FaceIndex index) {
+    const ContactFace& next = contact_mesh_.faces[index];
+    return next.surface == face.surface && std::ranges::find(next.corners, b) != next.corners.end() &&
+           height_over(next, x) > 0.0;
+  });
 }
 
 double ReachMarker::way_of_node(const SurfaceNode& node, const ContactFace& face) const {
@@ -120,11 +149,12 @@ double ReachMarker::way_of_node(const SurfaceNode& node, const ContactFace& face
   if (node.surface == face.surface && !own_faces.empty() && std::ranges::none_of(own_faces, is_opposed))
     return far;
   const FaceCorners x = corners(face);
-  const double height = (start_.x(node.node) - x.rowwise().mean()).dot(start_.area(face).normalized());
+  const double height = height_over(face, start_.x(node.node));
   const double way = std::max(0.0, distance_to_face(start_.x(node.node), x) - node.radius);
   if (height >= 0.0) return way;
   if (node.surface == face.surface) return far;
-  return way <= std::min(face.penalty_properties.thickness, node.penalty_properties.thickness) ? 0.0 : way;
+  const double thinner = std::min(face.penalty_properties.thickness, node.penalty_properties.thickness);
+  return way <= thinner && is_behind(face, start_.x(node.node)) ? 0.0 : way;
 }
 
 double ReachMarker::way_of_edges(const ContactEdge& first, const ContactEdge& second) const {

@@ -2,55 +2,21 @@
 #include "contact/enforcement/contact_mobility.hpp"
 
 #include "support/catch.hpp"
-#include "support/contact_bodies.hpp"
+#include "support/two_cubes.hpp"
 
 using namespace contactsim;
-using test::ContactParts;
+using test::TwoCubes;
 
 namespace {
 
-/// Two cubes of eight nodes of mass 0.5, apart; contact nodes are numbered as those of the mesh.
-struct TwoCubes {
-  ContactParts parts;
-  Model model;
-
-  TwoCubes() : parts(cubes(), test::general_contact()) {
-    model.mesh = &parts.mesh;
-    model.mass = Eigen::Matrix3Xd::Constant(3, 16, 0.5);
-  }
-  void hold(std::vector<NodeIndex> nodes, const Direction& direction) {
-    PrescribedMotion held;
-    held.nodes = std::move(nodes);
-    held.direction = direction;
-    model.kinematic_constraints = KinematicConstraints(parts.mesh, {held});
-  }
-  /// The second cube is a body of mass 8 and moments of inertia 4, 4 and 2.
-  const Model& make_rigid() {
-    RigidBody body;
-    body.mass = 8;
-    body.centre << 0.5, 0.5, 2.5;
-    body.flexible = Eigen::Vector3d(0.25, 0.25, 0.5).asDiagonal();
-    model.rigid.bodies = {body};
-    model.rigid.nodes.body_of.assign(16, std::nullopt);
-    std::fill(model.rigid.nodes.body_of.begin() + 8, model.rigid.nodes.body_of.end(), 0);
-    return model;
-  }
-  static test::MeshBuilder cubes() {
-    test::MeshBuilder b;
-    b.add_hexes({.id = 1});
-    b.add_hexes({.id = 2, .origin = {0, 0, 2}, .share_nodes = false});
-    return b;
-  }
-};
-
-/// The same, of which the second is rigid, and how they give way.
+/// Two cubes, of which the second is rigid, and how they give way.
 struct RigidCube : TwoCubes {
   ContactMobility mobility;
 
   RigidCube() : mobility(make_rigid()) { mobility.update(0.0); }
 };
 
-const Eigen::Vector3d x = Eigen::Vector3d::UnitX(), z = Eigen::Vector3d::UnitZ();
+const Eigen::Vector3d unit_x = Eigen::Vector3d::UnitX(), unit_z = Eigen::Vector3d::UnitZ();
 
 }  // namespace
 
@@ -61,14 +27,14 @@ TEST_CASE("a free node gives way by its mass, a held one along what is free", "[
   CHECK(mobility.update(0.0));
   CHECK_FALSE(mobility.update(1.0));
   const ContactKinematics& kinematics = cubes.parts.kinematics;
-  CHECK(mobility.mobility(kinematics, {0}, &z) == 2.0);
-  CHECK(mobility.mobility(kinematics, {3}, &z) == 0.0);
-  CHECK(mobility.mobility(kinematics, {3}, &x) == 2.0);
+  CHECK(mobility.mobility(kinematics, {0}, &unit_z) == 2.0);
+  CHECK(mobility.mobility(kinematics, {3}, &unit_z) == 0.0);
+  CHECK(mobility.mobility(kinematics, {3}, &unit_x) == 2.0);
   CHECK(mobility.mobility(kinematics, {3}, nullptr) == 2.0);
-  CHECK(mobility.is_held(kinematics, {3}, &z));
-  CHECK_FALSE(mobility.is_held(kinematics, {3}, &x));
+  CHECK(mobility.is_held(kinematics, {3}, &unit_z));
+  CHECK_FALSE(mobility.is_held(kinematics, {3}, &unit_x));
   CHECK_FALSE(mobility.is_held(kinematics, {3}, nullptr));
-  CHECK_FALSE(mobility.is_held(kinematics, {0}, &z));
+  CHECK_FALSE(mobility.is_held(kinematics, {0}, &unit_z));
 }
 
 TEST_CASE("a node of a rigid body gives way by the whole body", "[contact][contact_mobility]") {
@@ -76,7 +42,7 @@ TEST_CASE("a node of a rigid body gives way by the whole body", "[contact][conta
   const ContactKinematics& kinematics = cubes.parts.kinematics;
   CHECK(cubes.mobility.is_of_body(kinematics.contact_mesh(), {9}));
   // A corner is sqrt(0.75) from the centre; the least moment of inertia is 2.
-  CHECK(cubes.mobility.mobility(kinematics, {9}, &z) == Approx(1.0 / 8 + 0.75 / 2));
+  CHECK(cubes.mobility.mobility(kinematics, {9}, &unit_z) == Approx(1.0 / 8 + 0.75 / 2));
 }
 
 TEST_CASE("the springs of a rigid body's nodes add up, those of nodes do not",
@@ -84,7 +50,7 @@ TEST_CASE("the springs of a rigid body's nodes add up, those of nodes do not",
   RigidCube cubes;
   ContactPoint point;
   point.stiffness = 3.0;
-  point.normal = z;
+  point.normal = unit_z;
   point.first = {{8, 9, 10, 11}, {0.25, 0.25, 0.25, 0.25}, 0.0};
   point.second = {{4, 5, 6, 7}, {0.5, 0.5, 0.0, 0.0}, 0.0};
   const std::vector<ContactPoint> points{point, point};
@@ -103,7 +69,7 @@ TEST_CASE("contact alone accelerates rigid bodies, and not what elements hold",
   point.first.nodes.fill({8});  // of the body of mass 8
   point.second.nodes.fill({4});
   point.first.weights = point.second.weights = Eigen::Vector4d::UnitX();
-  point.normal = z;
+  point.normal = unit_z;
   point.force = 16.0;
   std::vector<ContactPoint> points{point, point};
   points[1].first.nodes.fill({9});

@@ -125,3 +125,14 @@ TEST_CASE("points that project inside a face pass its bound, most others do not"
   CHECK(n_inside > 200);
   CHECK(n_told > n_outside / 2);
 }
+
+TEST_CASE("a corner that runs ahead of its face stirs it by what it is faster than the mean",
+          "[contact][face_bound]") {
+  FaceCorners x, v = FaceCorners::Zero();
+  x << 0, 1, 1, 0, 0, 0, 1, 1, 0, 0, 0, 0;
+  v(2, 1) = 4.0;
+  const FaceBound bound(x, v, false);
+  CHECK(bound.velocity().z() == 1.0f);
+  CHECK(bound.normal_velocity_spread() == Approx(3.0));
+  CHECK(FaceBound(x, -v, false).normal_velocity_spread() == Approx(1.0));
+}
