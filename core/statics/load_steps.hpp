@@ -81,8 +81,6 @@ class LoadSteps {
   void undo_deaths();
   std::vector<NodeIndex> find_lifeless();
   void find_free();
-  std::string name_of(NodeIndex node) const;
-  std::string free_names() const;
   void search(const CgSettings& cg, Eigen::VectorXd& increment);
   bool control_contact(const CgSettings& cg, Eigen::VectorXd& increment);
   void begin_stabilization(double dt);
