@@ -40,8 +40,7 @@ bool DeepOverlaps::is_shallow(const ContactKinematics& kinematics, const Inside&
   return std::ranges::any_of(faces, [&](FaceIndex index) {
     const auto closest =
         project_onto_face(kinematics.face_corners(index), contact_mesh().faces[index].is_triangle(), point);
-    if (!closest || closest->edge >= 0 ||
-        own.normal.dot(closest->normal) > same_way_cosine * own.normal.norm())
+    if (!closest || closest->edge || own.normal.dot(closest->normal) > same_way_cosine * own.normal.norm())
       return false;
     const double other = parts_.of_face[index].half_thickness;
     const double half_thickness = own.half_thickness > 0.0 ? std::min(own.half_thickness, other) : other;
@@ -157,7 +156,7 @@ std::optional<DeepOverlap> DeepOverlaps::find_way_out(
     if (std::hypot(closest->gap, closest->beyond) <= smallest_share * parts_.of_face[index].size)
       return std::nullopt;
     // Behind a facet, and still before the round surface that it stands for.
-    if (round != nullptr && closest->edge < 0 && closest->gap > 0.0 && closest->gap <= round->height())
+    if (round != nullptr && !closest->edge && closest->gap > 0.0 && closest->gap <= round->height())
       return std::nullopt;
     if (closest->gap > 0.0) continue;
     const double cost = std::hypot(closest->gap, closest->beyond) * (1.0 + 2.0 * (1.0 + cosine));
