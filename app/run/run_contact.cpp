@@ -81,7 +81,7 @@ void RunContact::follow_deaths(const FaceGroups& faces, std::vector<std::uint8_t
   OwnershipRules rules(find_surface_requests(input_.definition, input_.region, mesh_, discarded), mesh_,
                        input_.region.contact->subdomain);
   living_.emplace(std::move(rules), faces, erodes);
-  free_nodes_.emplace(living_->rules(), faces, std::move(erodes));
+  free_nodes_.emplace(faces, std::move(erodes));
 }
 
 SurfaceChanges RunContact::update_for_deaths(const State& state, std::span<const ElementIndex> dead,
@@ -92,7 +92,7 @@ SurfaceChanges RunContact::update_for_deaths(const State& state, std::span<const
     Diagnostics discarded;
     make_lofts(input_.definition, input_.region, mesh_, contact_, discarded);
   }
-  free_nodes_->add(dead, alive);
+  free_nodes_->add(living_->rules(), dead, alive);
   alive_ = alive;
   force_.rebuild_surfaces(motion_of(state), free_nodes_->nodes(), makes_new_edges_);
   output_.renew();

@@ -46,6 +46,8 @@ class LoadSteps {
   ///   contact  the same as that of the terms, null without
   LoadSteps(const Model& model, ForceTerms terms, StaticContact* contact, const SolverSettings& settings,
             LoadSchedule schedule, State& state);
+  LoadSteps(const LoadSteps&) = delete;
+  LoadSteps& operator=(const LoadSteps&) = delete;
 
   /// Finds the forces of the start, and the first step. Throws SolveError.
   ///   takes_over  the state is one that another procedure came to: what is out of balance in it is let go
