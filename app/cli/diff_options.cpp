@@ -37,10 +37,10 @@ CLI::App* add_diff(CLI::App& app, DiffOptions& options) {
   diff->add_option("MESH", options.mesh, "Exodus mesh of two decks, in place of their own");
   diff->add_option("--rtol", options.tolerance.rtol, "Relative tolerance, 1e-6 unless given")
       ->type_name("R")
-      ->check(positive_number(true));
+      ->check(non_negative_number());
   diff->add_option("--atol", options.tolerance.atol, "Absolute tolerance beside it, 0 unless given")
       ->type_name("A")
-      ->check(positive_number(true));
+      ->check(non_negative_number());
   diff->add_flag("--faces", options.lists_faces,
                  "List each facet that has another owner, by element and side");
   diff->add_flag("--json", options.writes_json, "Print the differences as JSON");

@@ -10,9 +10,9 @@
 
 namespace contactsim {
 
-/// A check of the command line that a value is a finite number above zero, or zero where that may be. CLI11's
-/// own writes the largest number that there is with all of its 309 digits.
-inline CLI::Validator positive_number(bool may_be_zero = false) {
+/// A check of the command line that a value is a finite number, of some sign. CLI11's own writes the largest
+/// number that there is with all of its 309 digits.
+inline CLI::Validator finite_number(bool may_be_zero) {
   const auto check = [may_be_zero](const std::string& text) -> std::string {
     double value = 0.0;
     const char* end = text.data() + text.size();
@@ -23,5 +23,7 @@ inline CLI::Validator positive_number(bool may_be_zero = false) {
   };
   return {check, ""};
 }
+inline CLI::Validator positive_number() { return finite_number(false); }
+inline CLI::Validator non_negative_number() { return finite_number(true); }
 
 }  // namespace contactsim

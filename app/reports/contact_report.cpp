@@ -83,7 +83,7 @@ std::string format_contact(const ContactForce& contact, bool is_static) {
         fmt::format("  contact takes {} bytes, {} per face\n", contact.bytes(), contact.bytes() / n_faces);
   if (!is_static)
     text += fmt::format("  contact lowers the stable time step by {:.3g} % at most\n",
-                        100.0 * contact.step_share().share);
+                        100.0 * contact.lost_step_share());
   return text;
 }
 

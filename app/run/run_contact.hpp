@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "app/run/contact_debug.hpp"
+#include "app/run/contact_energy_watch.hpp"
 #include "app/run/run_input.hpp"
 #include "contact/mesh/eroded_nodes.hpp"
 #include "contact/output/contact_output.hpp"
@@ -83,16 +84,14 @@ class RunContact {
   void warn_of_end(const State& state, Diagnostics& warnings);
   /// What pairs without springs gave out to come out of overlaps of the mesh, or of what the procedure before
   /// had pressed [energy].
-  double given_out_by_overlaps() const;
+  double given_out_by_overlaps() const { return contactsim::given_out_by_overlaps(force_, begins_pressed_); }
   /// To be called after every step: throws SolveError naming the pair when contact has for some steps given
   /// out more energy from nowhere than all that was put into the model; remembers the most.
-  void stop_at_runaway(const State& state);
+  void stop_at_runaway(const State& state) {
+    energy_.step(force_, given_out_by_overlaps(), contact_, model_, state);
+  }
 
  private:
-  void warn_of_energy(const Energies& energies, Diagnostics& warnings) const;
-  void warn_of_lost(Diagnostics& warnings) const;
-  void warn_of_penetration(Diagnostics& warnings) const;
-  void warn_of_small_sliding(Diagnostics& warnings) const;
   ContactMoment moment_of(const State& state, const ContactKinematics& kinematics) const;
 
   const RunInput& input_;
@@ -110,14 +109,7 @@ class RunContact {
   std::optional<SurfaceTracker> living_;  // only when elements may die
   std::optional<ErodedNodes> free_nodes_;
   bool makes_new_edges_ = true;
-  int n_runaway_steps_ = 0;  // on end
-  /// The most that contact has given out from nowhere so far, and the pair that had made most of it.
-  struct Made {
-    double energy = 0.0;  // [energy]
-    PairIndex culprit = {};
-    double by_culprit = 0.0;  // [energy]
-  };
-  Made made_;
+  ContactEnergyWatch energy_;
 };
 
 }  // namespace contactsim

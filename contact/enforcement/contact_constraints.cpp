@@ -5,13 +5,15 @@
 #include <algorithm>
 #include <cmath>
 
+#include "contact/enforcement/gap_recovery.hpp"
+#include "contact/enforcement/relative_velocity.hpp"
+
 namespace contactsim {
 
 namespace {
 
-/// The share of a penetration that comes out in a step, the most over the thickness, and the share of a slip
-/// held by friction. All of a penetration at once would throw bodies out: it is the error of some step.
-constexpr double gap_recovery = 0.2, fastest_recovery = 2e-4, slip_recovery = 0.1;
+/// The share of a slip held by friction that comes back in a step.
+constexpr double slip_recovery = 0.1;
 
 /// What passes leave of a penetration, because a light part between heavier ones answers to each a little
 /// only, is made up for in the next step; at most by this share of what the force of the point itself closes:
@@ -22,18 +24,6 @@ constexpr double max_recovery = 0.1;
 /// closed in the mean of a node's surroundings, and not at every point of facets that do not fit. What is
 /// wider open is beside it.
 constexpr double pressed_gap = 1e-3;
-
-/// How far a point may penetrate at the end of a step [length].
-double left_penetration(double gap, double thickness) {
-  return std::max({0.0, -(1.0 - gap_recovery) * gap, -gap - fastest_recovery * thickness});
-}
-
-/// The gap that a point may have at the end of a step, < 0 penetrates. What may not part comes back as slowly
-/// as what penetrates comes out [length].
-double left_gap(const ContactPoint& point, double thickness) {
-  return point.pulls && point.gap > 0.0 ? left_penetration(-point.gap, thickness)
-                                        : -left_penetration(point.gap, thickness);
-}
 
 Eigen::Vector3d in_plane(const Eigen::Vector3d& vector, const Eigen::Vector3d& normal) {
   return vector - normal.dot(vector) * normal;
@@ -68,7 +58,7 @@ void ContactConstraints::add_friction(const ContactPoint& contact_point, const P
   Grip& grip = grips_.emplace_back();
   grip.rule = &rule;
   grip.limit_per_force = rule.interface_law == nullptr ? rule.friction : -1.0;
-  grip.slip = dt_ * in_plane(relative_velocity(contact_point, false), contact_point.normal);
+  grip.slip = dt_ * in_plane(relative_velocity(*kinematics_, contact_point, false), contact_point.normal);
 }
 
 /// Begins with a share of the forces of the step before, with all of those of load steps.
@@ -278,25 +268,6 @@ ConstraintPass ContactConstraints::pass(double momentum, const LightCarriers& li
   });
 }
 
-/// The velocity of the first side against the second, in the step before or in the coming one without these
-/// forces [length/time].
-Eigen::Vector3d ContactConstraints::relative_velocity(const ContactPoint& contact_point,
-                                                      bool is_before) const {
-  Eigen::Vector3d velocity = Eigen::Vector3d::Zero();
-  const auto add_side = [&](const ContactPointSide& side, double sign) {
-    const Eigen::Vector3d beside = -sign * side.radius * contact_point.normal;
-    for (std::size_t k = 0; k < 4; ++k) {
-      const double weight = sign * side.weights[static_cast<Eigen::Index>(k)];
-      if (weight == 0.0) continue;
-      velocity += weight * (is_before ? kinematics_->last_velocity_beside(side.nodes[k], beside)
-                                      : kinematics_->velocity_beside(side.nodes[k], beside));
-    }
-  };
-  add_side(contact_point.first, 1.0);
-  add_side(contact_point.second, -1.0);
-  return velocity;
-}
-
 ContactLoss ContactConstraints::finish() {
   std::vector<std::optional<ContactHistory::Entry>> entries(rows_.size());
   const auto loss =
@@ -320,8 +291,34 @@ ContactLoss ContactConstraints::finish() {
 double ContactConstraints::lost_before(const Eigen::Vector3d& force, const ContactPoint& point,
                                        const Eigen::Vector3d& before, const Eigen::Vector3d& changed) const {
   if (dt_before_ > 0.0 || begins_pressed_ || goes_on_) return -0.5 * force.dot(before);
-  const Eigen::Vector3d begun = relative_velocity(point, false) - relative_velocity(point, true);
+  const Eigen::Vector3d begun =
+      relative_velocity(*kinematics_, point, false) - relative_velocity(*kinematics_, point, true);
   return 0.25 * force.dot(2.0 * dt_ * begun + changed);
+}
+
+/// The part of finish() that is friction's.
+///   before  as of lost_before
+void ContactConstraints::finish_friction(const Row& row, double force, const NodeVector& change,
+                                         const Eigen::Vector3d& before, ContactHistory::Entry& entry,
+                                         ContactLoss& loss) {
+  ContactPoint& point = points_[row.point];
+  const Grip& grip = grips_[*row.grip];
+  const Eigen::Vector3d changed = change.head<3>();
+  const Eigen::Vector3d slip = grip.slip + in_plane(changed, point.normal);
+  const Eigen::Vector3d tangential = in_plane(row.force.head<3>(), point.normal);
+  const double friction_before = lost_before(tangential, point, before, changed),
+               friction_after = -0.5 * tangential.dot(slip);
+  loss.friction_before += friction_before;
+  loss.friction_after += friction_after;
+  point.dissipated = friction_before + friction_after;
+  point.work_before += friction_before;
+  point.work_after += friction_after;
+  point.tangential += tangential;
+  const bool slides = tangential.norm() >= (1.0 - 1e-9) * slip_limit(row, change, force);
+  if (slides) point.slip = slip;
+  point.elastic_slip = slides ? Eigen::Vector3d::Zero() : Eigen::Vector3d(grip.held + slip);
+  entry.traction = tangential / point.area;
+  entry.held = point.elastic_slip;
 }
 
 /// Gives the point of a row its force, and what it loses. Returns what is to be known of it in the next step.
@@ -335,7 +332,8 @@ std::optional<ContactHistory::Entry> ContactConstraints::finish(const Row& row, 
     begun.zero_gap = row.zero_gap;
     return begun;
   }
-  const Eigen::Vector3d before = dt_before_ * relative_velocity(point, true), changed = change.head<3>();
+  const Eigen::Vector3d before = dt_before_ * relative_velocity(*kinematics_, point, true),
+                        changed = change.head<3>();
   const double impact_before = lost_before(force * point.normal, point, before, changed),
                impact_after = 0.5 * force * (point.closing - point.normal.dot(changed));
   loss.impact_before += impact_before;
@@ -350,24 +348,7 @@ std::optional<ContactHistory::Entry> ContactConstraints::finish(const Row& row, 
   entry.area = point.area;
   entry.zero_gap = row.zero_gap;
   entry.left = std::clamp(left, 0.0, std::max(0.0, max_recovery * force * row.softness));
-  if (row.grip) {
-    Grip& grip = grips_[*row.grip];
-    const Eigen::Vector3d slip = grip.slip + in_plane(changed, point.normal);
-    const Eigen::Vector3d tangential = in_plane(row.force.head<3>(), point.normal);
-    const double friction_before = lost_before(tangential, point, before, changed),
-                 friction_after = -0.5 * tangential.dot(slip);
-    loss.friction_before += friction_before;
-    loss.friction_after += friction_after;
-    point.dissipated = friction_before + friction_after;
-    point.work_before += friction_before;
-    point.work_after += friction_after;
-    point.tangential += tangential;
-    const bool slides = tangential.norm() >= (1.0 - 1e-9) * slip_limit(row, change, force);
-    if (slides) point.slip = slip;
-    point.elastic_slip = slides ? Eigen::Vector3d::Zero() : Eigen::Vector3d(grip.held + slip);
-    entry.traction = tangential / point.area;
-    entry.held = point.elastic_slip;
-  }
+  if (row.grip) finish_friction(row, force, change, before, entry, loss);
   return entry;
 }
 

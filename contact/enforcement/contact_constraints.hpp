@@ -158,9 +158,10 @@ class ContactConstraints {
   NodeVector next_force(const NodeVector& normal, const Row& row, const NodeVector& changed) const;
   Eigen::Vector3d trial_traction(const Eigen::Vector3d& normal, const Row& row,
                                  const NodeVector& changed) const;
-  Eigen::Vector3d relative_velocity(const ContactPoint& contact_point, bool is_before) const;
   double lost_before(const Eigen::Vector3d& force, const ContactPoint& point, const Eigen::Vector3d& before,
                      const Eigen::Vector3d& changed) const;
+  void finish_friction(const Row& row, double force, const NodeVector& change, const Eigen::Vector3d& before,
+                       ContactHistory::Entry& entry, ContactLoss& loss);
   std::optional<ContactHistory::Entry> finish(const Row& row, double force, const NodeVector& change,
                                               ContactLoss& loss);
 

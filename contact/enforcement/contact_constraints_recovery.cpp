@@ -4,6 +4,7 @@
 #include <map>
 
 #include "contact/enforcement/contact_constraints.hpp"
+#include "contact/enforcement/relative_velocity.hpp"
 
 namespace contactsim {
 
@@ -41,9 +42,9 @@ void ContactConstraints::limit_recovery(RecoveryEnergy& recovery) {
     const auto found = needed.find(point.pair);
     if (found == needed.end()) return;
     const double paid = recovery.available(found->first) / found->second * row.recovery;
-    const double slow = free_recovery * dt_ * relative_velocity(point, false).norm();
+    const double slow = free_recovery * dt_ * relative_velocity(*kinematics_, point, false).norm();
     const double unpaid = std::max(0.0, row.recovery - std::max(paid, slow));
-    const double opened = dt_ * std::max(0.0, point.normal.dot(relative_velocity(point, true)));
+    const double opened = dt_ * std::max(0.0, point.normal.dot(relative_velocity(*kinematics_, point, true)));
     row.start += unpaid + unpaid / row.recovery * opened;
   });
 }

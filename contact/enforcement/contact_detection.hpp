@@ -99,7 +99,7 @@ class ContactDetection {
   void archive(StateArchive& saved);
 
  private:
-  const ContactSetup& setup_;
+  ContactSetup setup_;
   const ContactMesh& contact_mesh_;
   const PairRules& rules_;
   ContactSearch search_;

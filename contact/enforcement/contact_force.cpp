@@ -5,8 +5,10 @@
 #include <cmath>
 #include <utility>
 
+#include "contact/enforcement/finer_surfaces.hpp"
 #include "contact/enforcement/penalty_limits.hpp"
 #include "contact/enforcement/returned_energy.hpp"
+#include "contact/enforcement/side_thickness.hpp"
 #include "contact/formulations/mark_start_reach.hpp"
 #include "contact/formulations/node_gaps.hpp"
 #include "contact/formulations/start_depths.hpp"
@@ -61,7 +63,7 @@ ContactForce::ContactForce(const ContactSetup& setup)
       offset_moments_(contact_mesh_, kinematics_, assembler_),
       histories_(setup.contact.pairs.size()),
       recovery_energy_(setup.contact.pairs.size()),
-      weighted_gaps_(find_finer_surfaces()),
+      weighted_gaps_(find_finer_surfaces(setup.contact, contact_mesh_)),
       stabilization_(setup_, rules_, kinematics_of_mesh(contact_mesh_, *setup.model.mesh)) {
   kinematics_.turn_by(make_spins());
   balances_ = std::ranges::any_of(rules_.rules(), &PairRule::is_balanced);
@@ -105,7 +107,7 @@ void ContactForce::update_candidates(const Motion& motion) {
 /// Adds a contact point whose forces are known to all sums.
 void ContactForce::add_to_sums(const ContactPoint& point) {
   assembler_.add(point);
-  if (point.open_gap() < 0.0) assembler_.note_penetration(point, thinner_side(point));
+  if (point.open_gap() < 0.0) assembler_.note_penetration(point, thinner_side(contact_mesh_, point));
   const double ramped = rules_.gap_offsets().ramped_depth(point);
   if (ramped > 0.0) assembler_.note_ramp(point, ramped);
   if (rules_[point.pair].pair->behavior == InteractionBehavior::infinitesimal_sliding)
@@ -202,7 +204,8 @@ ForceReport ContactForce::set_forces(const Motion& motion, Eigen::Matrix3Xd& for
   if (!balances_) report.supplied_work += end_step(motion.time, motion.dt);
   report.friction_work = assembler_.dissipated();
   report.contact_damping_work = assembler_.damped();
-  if (!setup_.is_static()) limit_step(motion, report);
+  if (!setup_.is_static())
+    report.stable_step = step_limit_.find(motion.stable_step, step_springs(), mobility_);
   return report;
 }
 
@@ -215,41 +218,9 @@ double ContactForce::end_step(double time, double dt) {
   return supplied;
 }
 
-/// The velocities of the contact nodes in the coming step, as the forces so far give them.
-void ContactForce::foresee(const State& state) {
-  const double half_steps = 0.5 * (state.dt + state.next_dt);
-  const bool turns = state.rotations.exist();
-  free_velocity_.resize(3, state.velocity.cols());
-  if (turns) free_turning_.resize(3, state.velocity.cols());
-  const auto n_nodes = static_cast<std::uint32_t>(contact_mesh_.n_nodes());
-  parallel_for(n_nodes, threads_for(contact_mesh_.n_mesh_points()), [&](std::uint32_t i) {
-    const auto node = static_cast<Eigen::Index>(contact_mesh_.mesh_nodes[{i}]);
-    free_velocity_.col(node) = state.velocity.col(node) + half_steps * state.acceleration.col(node);
-    if (!turns) return;
-    free_turning_.col(node) =
-        state.rotations.velocity.col(node) + half_steps * state.rotations.acceleration.col(node);
-  });
-  Motion coming{state.time, state.dt, state.coordinates, free_velocity_};
-  if (turns) coming.angular_velocity = &free_turning_;
-  kinematics_.foresee(coming);
-  kinematics_.bound_watched();
-}
-
-double ContactForce::thinner_side(const ContactPoint& point) const {
-  if (point.is_of_edges) {
-    return std::min(contact_mesh_.edges[point.first_edge()].penalty_properties.thickness,
-                    contact_mesh_.edges[point.second_edge()].penalty_properties.thickness);
-  }
-  const double first = point.first.is_node()
-                           ? contact_mesh_.surface_nodes[point.row()].penalty_properties.thickness
-                           : contact_mesh_.faces[point.first_face()].penalty_properties.thickness;
-  if (point.second.weights.isZero(0.0)) return first;
-  return std::min(first, contact_mesh_.faces[point.second_face()].penalty_properties.thickness);
-}
-
 std::optional<ForceReport> ContactForce::balance(const State& state, Eigen::Matrix3Xd& forces) {
   if (!balances_) return std::nullopt;
-  foresee(state);
+  coming_.foresee(state, contact_mesh_, kinematics_);
   ContactStepContext context{kinematics_, rules_, constrained_, state.dt};
   context.depths = &depths_;
   context.balances = true;
@@ -257,7 +228,7 @@ std::optional<ForceReport> ContactForce::balance(const State& state, Eigen::Matr
   balance_.begin(setup_.model, mobility_.free_directions(), kinematics_, state);
   recovery_energy_.begin_step(rules_, histories_.all());
   const auto to_glue = detection_.visit_points(context, [&](const ContactPoint& point) {
-    balance_.add(point, rules_.of(point), thinner_side(point));
+    balance_.add(point, rules_.of(point), thinner_side(contact_mesh_, point));
   });
   detection_.visit_balanced(context, [&](Tie& tie) { balance_.add(tie); });
   if (preload_forces_.is_to_begin()) {
@@ -277,7 +248,7 @@ std::optional<ForceReport> ContactForce::balance(const State& state, Eigen::Matr
   } else {
     points_.insert(points_.end(), balance_.points().begin(), balance_.points().end());
   }
-  if (balances_pulls_) pull_eigenvalue_ = largest_eigenvalue();
+  if (balances_pulls_) step_limit_.note_pulls(step_springs(), mobility_);
   write_forces(assembler_, offset_moments_, forces);
   ForceReport report;
   report.supplied_work = end_step(state.time, state.dt);

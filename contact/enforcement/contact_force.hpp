@@ -6,11 +6,13 @@
 #include <span>
 #include <vector>
 
+#include "contact/enforcement/coming_motion.hpp"
 #include "contact/enforcement/contact_checkpoint.hpp"
 #include "contact/enforcement/contact_detection.hpp"
 #include "contact/enforcement/contact_mobility.hpp"
 #include "contact/enforcement/contact_setup.hpp"
 #include "contact/enforcement/contact_stabilization.hpp"
+#include "contact/enforcement/contact_step_limit.hpp"
 #include "contact/enforcement/contact_trial.hpp"
 #include "contact/enforcement/momentum_balance.hpp"
 #include "contact/enforcement/offset_moments.hpp"
@@ -21,11 +23,6 @@
 #include "core/statics/static_contact.hpp"
 
 namespace contactsim {
-
-/// How much contact lowers the stable step.
-struct ContactStep {
-  double share = 0.0;  ///< of its stable step that the run loses, largest so far [1]
-};
 
 /// The forces of contact: search when something has moved far enough, contact points, penalties, friction
 /// and ties. Each contact point pushes both sides alike. The same bits for any number of threads.
@@ -101,7 +98,8 @@ class ContactForce final : public ForceTerm, public StaticContact {
   Eigen::Vector3d node_slip(ContactNodeIndex node) const {
     return assembler_.slip_now(kinematics_, turns_, node);
   }
-  const ContactStep& step_share() const { return step_share_; }
+  /// The largest share of its stable step that the run has lost to contact so far [1].
+  double lost_step_share() const { return step_limit_.lost_share(); }
   /// What balancing the last step came to.
   const BalanceReport& balance_report() const { return balance_report_; }
   /// In the springs of all pairs, of the last step and of the first one, in the mesh's own overlaps [energy].
@@ -147,18 +145,15 @@ class ContactForce final : public ForceTerm, public StaticContact {
   void move_to_trial(const Motion& motion);
   ContactStepContext static_context(double dt, bool is_trial) const;
   void hold_slips();
-  std::vector<ContactPoint> as_own_points(std::span<const ContactPoint> before) const;
   void begin_preload_forces(const ContactStepContext& context, double time);
-  IndexedVector<PairIndex, SurfaceIndex> find_finer_surfaces() const;
   LoftSpins make_spins() const;
-  double largest_eigenvalue();
-  void limit_step(const Motion& motion, ForceReport& report);
+  StepSprings step_springs() const {
+    return {kinematics_, rules_, points_, constraint_forces_, assembler_.pairs()};
+  }
   void note_element_stiffness();
   void limit_stiffness(const ContactKinematics& start);
   /// Returns the work of overlaps that are ramped [energy].
   double end_step(double time, double dt);
-  void foresee(const State& state);
-  double thinner_side(const ContactPoint& point) const;
   void remap(const ContactRemap& remap);
   void leave_surfaces(const ContactMesh& before, const Motion& motion);
   bool goes_on_as(const ContactForce& earlier) const;
@@ -174,7 +169,6 @@ class ContactForce final : public ForceTerm, public StaticContact {
   ContactKinematics kinematics_;
   ContactMobility mobility_;
   std::vector<double> element_stiffness_;  // of faces, surface nodes, edges before any limit [force/length^3]
-  IndexedVector<PairIndex, std::uint8_t> slips_;  // has springs along the surface
   PenetrationDepths depths_;
   ContactDetection detection_;
   ContactAssembler assembler_;
@@ -182,13 +176,11 @@ class ContactForce final : public ForceTerm, public StaticContact {
   MomentumBalance balance_;
   bool balances_ = false, has_penalty_ = false;  // some pair is enforced so
   bool balances_pulls_ = false;                  // one of the former has a law that pulls
-  Eigen::Matrix3Xd free_velocity_,
-      free_turning_;  // of contact nodes in the coming step, without these forces
+  ComingMotion coming_;
   ContactLoss last_loss_;
   BalanceReport balance_report_;
-  std::vector<ContactPoint> points_;                   // of the step
-  std::vector<ConstraintForces> constraint_forces_;    // of the step
-  IndexedVector<SurfaceIndex, double> surface_rates_;  // scratch
+  std::vector<ContactPoint> points_;                 // of the step
+  std::vector<ConstraintForces> constraint_forces_;  // of the step
   PairHistories histories_;
   RecoveryEnergy recovery_energy_;
   ContactMultipliers multipliers_;       // of load steps
@@ -197,9 +189,8 @@ class ContactForce final : public ForceTerm, public StaticContact {
   ContactStabilization stabilization_;   // of load steps
   std::unique_ptr<ContactTrial> trial_;  // null before the first load step
   PreloadForces preload_forces_;
-  ContactStep step_share_;
+  ContactStepLimit step_limit_;
   double stored_at_start_ = 0.0;
-  double pull_eigenvalue_ = 0.0;  // of laws that pull where momentum is balanced, in the last step [1/time^2]
   bool has_begun_ = false;
   double start_step_ = 0.0;          // stable step of the elements at the start [time]
   std::vector<std::uint32_t> left_;  // nodes of the mesh that have just left contact

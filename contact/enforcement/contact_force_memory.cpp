@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <algorithm>
-#include <map>
 
 #include "contact/enforcement/contact_force.hpp"
+#include "contact/enforcement/explicit_points.hpp"
 #include "core/base/digest.hpp"
 #include "core/base/state_archive.hpp"
 #include "core/interface_laws/interface_law_table.hpp"
@@ -18,66 +18,7 @@ bool are_like(const SurfacePair& a, const SurfacePair& b) {
          (!row_of(*a.law).holds_at_start || a.formulation == b.formulation);
 }
 
-/// What the points of faces around a surface node press it with.
-struct NodeForce {
-  double area = 0.0;                                 // [length^2]
-  Eigen::Vector3d force = Eigen::Vector3d::Zero();   // [force]
-  Eigen::Vector3d normal = Eigen::Vector3d::Zero();  // towards it, of any length
-};
-
-/// One side of a contact point of faces.
-struct FaceSide {
-  const ContactPointSide& side;
-  FaceIndex face, other;
-  double sign;  // of what it feels, as the first side does
-};
-
 }  // namespace
-
-/// The contact points of load steps before as this contact has them: NODE_FACE by nodes of both sides, each
-/// with the pressure around it against every face that it has met, for half of the force.
-std::vector<ContactPoint> ContactForce::as_own_points(std::span<const ContactPoint> before) const {
-  std::vector<ContactPoint> points;
-  std::map<SurfaceNodeIndex, NodeForce> of_rows;
-  std::map<std::pair<SurfaceNodeIndex, FaceIndex>, ContactPoint> met;
-  const auto add = [&](const ContactPoint& point, const FaceSide& at) {
-    for (std::size_t k = 0; k < 4; ++k) {
-      const double weight = at.side.weights[static_cast<Eigen::Index>(k)];
-      const auto row = contact_mesh_.find_row(at.side.nodes[k], contact_mesh_.faces[at.face].surface);
-      if (!row || !(weight > 0.0)) continue;
-      NodeForce& of_row = of_rows[*row];
-      of_row.area += weight * point.area;
-      of_row.force += at.sign * weight * point.force_on_first();
-      of_row.normal += at.sign * weight * point.area * point.normal;
-      ContactPoint& of_face = met[{*row, at.other}];
-      of_face.pair = point.pair;
-      of_face.first_entity = row->value;
-      of_face.second_entity = at.other.value;
-      of_face.first.nodes.fill(at.side.nodes[k]);
-      of_face.second.weights = Eigen::Vector4d::UnitX();
-      of_face.area += weight * point.area;
-    }
-  };
-  for (const ContactPoint& point : before) {
-    const bool is_of_faces = !point.first.is_node() && !point.is_of_edges;
-    if (!is_of_faces || setup_.contact.pairs[point.pair].formulation == ConstraintFormulation::face_face) {
-      points.push_back(point);
-      continue;
-    }
-    add(point, {point.first, point.first_face(), point.second_face(), 1.0});
-    add(point, {point.second, point.second_face(), point.first_face(), -1.0});
-  }
-  for (auto& [key, point] : met) {
-    const NodeForce& of_row = of_rows[key.first];
-    point.area *= 0.5;
-    const Eigen::Vector3d force = point.area / of_row.area * of_row.force;
-    point.normal = of_row.normal.normalized();
-    point.force = force.dot(point.normal);
-    point.tangential = force - point.force * point.normal;
-    points.push_back(point);
-  }
-  return points;
-}
 
 /// Whether both are of load steps, or of explicit dynamics.
 bool ContactForce::goes_on_as(const ContactForce& earlier) const {
@@ -108,7 +49,7 @@ void ContactForce::take_over(ContactForce& earlier, const Motion& ended, const M
     Eigen::Matrix3Xd forces = Eigen::Matrix3Xd::Zero(3, ended.coordinates.cols());
     earlier.begin_trials(ended);
     earlier.try_forces(ended, forces, nullptr);
-    balance_.begin_pressed(as_own_points(earlier.trial_->points));
+    balance_.begin_pressed(explicit_points_of(earlier.trial_->points, setup_.contact.pairs, contact_mesh_));
     preload_forces_.take_over(earlier.trial_->assembler, until);
   }
   kinematics_.set_offsets(earlier.kinematics_.offsets());
@@ -176,10 +117,9 @@ void ContactForce::archive(const Motion& motion, StateArchive& saved) {
   multipliers_.archive("contact/multipliers", saved);
   held_slips_.archive("contact/held_slips", saved);
   stabilization_.archive(contact_mesh_.n_nodes(), saved);
-  saved.numbers("contact/step_share", step_share_.share);
+  step_limit_.archive(saved);
   saved.numbers("contact/stored_at_start", stored_at_start_);
   saved.numbers("contact/start_step", start_step_);
-  saved.numbers("contact/pull_eigenvalue", pull_eigenvalue_);
   saved.list("contact/left_nodes", left_);
   if (!saved.restores()) return;
   has_begun_ = true;

@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <algorithm>
-#include <cmath>
 #include <iterator>
-#include <limits>
 #include <set>
 #include <utility>
 
 #include "contact/enforcement/contact_force.hpp"
+#include "contact/enforcement/finer_surfaces.hpp"
 #include "contact/enforcement/penalty_limits.hpp"
 #include "contact/formulations/start_depths.hpp"
 #include "contact/mesh/feature_edges.hpp"
@@ -69,57 +68,6 @@ ContactMesh ContactForce::make_faces(std::span<const ErodedNode> eroded_nodes) c
   return contact_mesh;
 }
 
-namespace {
-
-/// The size of a surface's faces, and how stiff what they belong to is.
-struct SurfaceGrain {
-  double node_area =
-      std::numeric_limits<double>::infinity();  // geometric mean; infinite without nodes [length^2]
-  double modulus = 0.0;                         // mean, of penalties [force/length^2]
-  bool is_rigid = true;                         // all of it
-};
-
-SurfaceGrain grain_of(const ContactMesh& contact_mesh, SurfaceIndex surface) {
-  SurfaceGrain grain;
-  const auto rows = contact_mesh.rows_of(surface);
-  if (rows.size() == 0) return grain;
-  const auto n = static_cast<double>(rows.size());
-  double log_area = 0.0;
-  for (const SurfaceNodeIndex row : rows) {
-    const SurfaceNode& node = contact_mesh.surface_nodes[row];
-    log_area += std::log(std::max(node.area, std::numeric_limits<double>::min())) / n;
-    grain.modulus += node.penalty_properties.stiffness * node.penalty_properties.thickness / n;
-    grain.is_rigid = grain.is_rigid && node.penalty_properties.is_rigid;
-  }
-  grain.node_area = std::exp(log_area);
-  return grain;
-}
-
-}  // namespace
-
-/// The surface of each pair that multipliers stand on, on one alone, since those of both would be more than
-/// there is to be balanced: the one with the finer faces, or the softer one, so that the corners of a coarse
-/// side need not bend the faces of a fine and stiff one, which makes the pressure of its nodes go up and
-/// down. Of a plane or a surface of faces alone the other one. Source: Abaqus, choosing the secondary surface
-/// of a contact pair.
-IndexedVector<PairIndex, SurfaceIndex> ContactForce::find_finer_surfaces() const {
-  // So many times as stiff counts for as many times the area of a node, at most.
-  constexpr double most = 9.0;
-  IndexedVector<SurfaceIndex, SurfaceGrain> grains;
-  for (const SurfaceIndex surface : indices(setup_.contact.surfaces.surfaces))
-    grains.push_back(grain_of(contact_mesh_, surface));
-  IndexedVector<PairIndex, SurfaceIndex> finer;
-  for (const SurfacePair& pair : setup_.contact.pairs) {
-    const SurfaceGrain &first = grains[pair.first], &second = grains[pair.second];
-    double stiffer = first.is_rigid ? most : 1.0 / most;  // the first one
-    if (first.is_rigid == second.is_rigid)
-      stiffer = second.modulus > 0.0 ? std::clamp(first.modulus / second.modulus, 1.0 / most, most) : 1.0;
-    const bool is_second = pair.is_one_sided || second.node_area < stiffer * first.node_area;
-    finer.push_back(is_second ? pair.second : pair.first);
-  }
-  return finer;
-}
-
 /// Of the surfaces as the mesh has them, which the slips of their nodes follow.
 SurfaceTurns ContactForce::make_turns() const {
   if (!rules_.has_friction()) return {};
@@ -179,7 +127,7 @@ void ContactForce::rebuild_surfaces(const Motion& motion, std::span<const Eroded
                                     bool makes_new_edges) {
   const ContactMesh before = std::exchange(contact_mesh_, make_faces(eroded_nodes));
   element_stiffness_.clear();
-  weighted_gaps_ = WeightedGaps(find_finer_surfaces());
+  weighted_gaps_ = WeightedGaps(find_finer_surfaces(setup_.contact, contact_mesh_));
   if (!makes_new_edges) take_off_new_edges(before, contact_mesh_);
   limit_stiffness(kinematics_of_mesh(contact_mesh_, *setup_.model.mesh));
   leave_surfaces(before, motion);

@@ -68,7 +68,7 @@ class ContactStabilization {
   void add_planes(const ContactKinematics& kinematics);
   Eigen::Matrix3d stiffness_now(const Point& point) const;
 
-  const ContactSetup& setup_;
+  ContactSetup setup_;
   const PairRules& rules_;
   bool is_on_ = false;
   IndexedVector<PairIndex, double> ranges_;  // 0 of pairs without [length]

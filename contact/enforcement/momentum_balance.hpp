@@ -39,6 +39,10 @@ struct BalanceReport {
 /// restarted as by O'Donoghue and Candes, Found. Comput. Math. 15 (2015) 715-732.
 class MomentumBalance {
  public:
+  MomentumBalance() = default;
+  MomentumBalance(const MomentumBalance&) = delete;  // its parts refer to each other
+  MomentumBalance& operator=(const MomentumBalance&) = delete;
+
   /// Begins a step.
   ///   surface  sees the velocities of the coming step without these forces
   void begin(const Model& model, const ModelFreeDirections& free, const ContactKinematics& kinematics,

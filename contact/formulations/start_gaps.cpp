@@ -24,7 +24,7 @@ std::optional<double> gap_of_node(const ContactKinematics& kinematics, const Sur
   const double depth = make_pair_penalty(node.penalty_properties,
                                          &kinematics.contact_mesh().faces[face].penalty_properties, pair)
                            .depth;
-  if (!point || point->edge >= 0 || -point->gap > depth) return std::nullopt;
+  if (!point || point->edge || -point->gap > depth) return std::nullopt;
   if (!is_facing(kinematics, node, point->normal)) return std::nullopt;
   return point->gap;
 }

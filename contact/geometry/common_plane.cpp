@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "contact/geometry/smooth_step.hpp"
+
 namespace contactsim {
 
 namespace {
@@ -17,10 +19,9 @@ constexpr double next_to_smooth = 0.1;
 }  // namespace
 
 std::array<double, 2> shares_of_normals(double cosine, double sharpness_1, double sharpness_2) {
-  const double lean = std::clamp((no_lean - cosine) / (no_lean - full_lean), 0.0, 1.0);
-  const double smooth_lean = lean * lean * (3.0 - 2.0 * lean);
+  const double lean = smooth_step(std::clamp((no_lean - cosine) / (no_lean - full_lean), 0.0, 1.0));
   const double sharper_1 = (sharpness_1 - sharpness_2) / (sharpness_1 + sharpness_2 + next_to_smooth);
-  return {1.0 - smooth_lean * std::max(sharper_1, 0.0), 1.0 - smooth_lean * std::max(-sharper_1, 0.0)};
+  return {1.0 - lean * std::max(sharper_1, 0.0), 1.0 - lean * std::max(-sharper_1, 0.0)};
 }
 
 std::optional<CommonPlane> make_common_plane(const FaceCorners& first, const FaceOrientation& look_1,

@@ -40,9 +40,15 @@ bool find_closest_point(const FaceMap& map, const Eigen::Vector3d& point, double
   return true;
 }
 
+/// An edge that a point is beyond by so much, if it is.
+OptionalIndex<std::uint32_t> edge_beyond(std::ptrdiff_t edge, double beyond) {
+  if (!(beyond > 0.0)) return std::nullopt;
+  return static_cast<std::uint32_t>(edge);
+}
+
 }  // namespace
 
-int move_inside(bool is_triangle, double& xi, double& eta) {
+OptionalIndex<std::uint32_t> move_inside(bool is_triangle, double& xi, double& eta) {
   const double x = xi, y = eta;
   if (is_triangle) {
     const std::array<double, 3> beyond{-y, x + y - 1.0, -x};
@@ -54,13 +60,13 @@ int move_inside(bool is_triangle, double& xi, double& eta) {
       xi = std::clamp(xi - 0.5 * (sum - 1.0), 0.0, 1.0);
       eta = 1.0 - xi;
     }
-    return *most > 0.0 ? static_cast<int>(most - beyond.begin()) : -1;
+    return edge_beyond(most - beyond.begin(), *most);
   }
   const std::array<double, 4> beyond{-1.0 - y, x - 1.0, y - 1.0, -1.0 - x};
   const auto most = std::max_element(beyond.begin(), beyond.end());
   xi = std::clamp(xi, -1.0, 1.0);
   eta = std::clamp(eta, -1.0, 1.0);
-  return *most > 0.0 ? static_cast<int>(most - beyond.begin()) : -1;
+  return edge_beyond(most - beyond.begin(), *most);
 }
 
 std::optional<ClosestPoint> project_onto_face(const FaceCorners& x, bool is_triangle,
@@ -74,7 +80,7 @@ std::optional<ClosestPoint> project_onto_face(const FaceCorners& x, bool is_tria
   found.gap = (point - closest).dot(found.normal);
   double xi = found.xi, eta = found.eta;
   found.edge = move_inside(is_triangle, xi, eta);
-  if (found.edge >= 0) found.beyond = (closest - map.at(xi, eta)).norm();
+  if (found.edge) found.beyond = (closest - map.at(xi, eta)).norm();
   return found;
 }
 
@@ -84,7 +90,7 @@ std::optional<ClosestPoint> project_sphere(const FaceCorners& x, bool is_triangl
   if (!flat || radius == 0.0) return flat;
   ClosestPoint found = *flat;
   found.gap -= radius;
-  if (flat->edge < 0) return found;
+  if (!flat->edge) return found;
   if (flat->gap < 0.0) return std::nullopt;
   static constexpr std::array<std::array<double, 2>, 3> triangle{{{0, 0}, {1, 0}, {0, 1}}};
   static constexpr std::array<std::array<double, 2>, 4> square{{{-1, -1}, {1, -1}, {1, 1}, {-1, 1}}};
@@ -106,7 +112,7 @@ std::optional<ClosestPoint> project_sphere(const FaceCorners& x, bool is_triangl
     found.gap = distance - radius;
   }
   found.beyond = 0.0;
-  found.edge = -1;
+  found.edge = std::nullopt;
   return found;
 }
 

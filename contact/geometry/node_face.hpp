@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "contact/geometry/face_map.hpp"
+#include "core/base/optional_index.hpp"
 
 namespace contactsim {
 
@@ -14,8 +15,9 @@ struct ClosestPoint {
   Eigen::Vector3d normal = Eigen::Vector3d::Zero();  ///< of the face there: unit, out of the element [1]
   double gap = 0.0;                                  ///< along the normal, < 0 behind the face [length]
   double beyond =
-      0.0;        ///< distance by which the point lies beyond the face's edges; 0 over the face [length]
-  int edge = -1;  ///< the edge that it lies beyond, from corner `edge` to the next; -1 over the face
+      0.0;  ///< distance by which the point lies beyond the face's edges; 0 over the face [length]
+  /// The edge that it lies beyond, from the corner of that number to the next; absent over the face.
+  OptionalIndex<std::uint32_t> edge;
 };
 
 /// Projects a point onto a face along the face's normal: Newton's method on the distance. The closest point
@@ -33,7 +35,7 @@ std::optional<ClosestPoint> project_onto_face(const FaceCorners& x, bool is_tria
 std::optional<ClosestPoint> project_sphere(const FaceCorners& x, bool is_triangle,
                                            const Eigen::Vector3d& centre, double radius);
 
-/// Moves coordinates into the face; returns the edge that they were furthest beyond, -1 for none.
-int move_inside(bool is_triangle, double& xi, double& eta);
+/// Moves coordinates into the face; returns the edge that they were furthest beyond, if any.
+OptionalIndex<std::uint32_t> move_inside(bool is_triangle, double& xi, double& eta);
 
 }  // namespace contactsim

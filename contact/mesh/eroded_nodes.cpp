@@ -14,7 +14,8 @@ std::size_t ErodedNodes::n_nodes() const {
   return n;
 }
 
-void ErodedNodes::add_of_faces(NodeIndex node, std::vector<ErodedNode>& found) const {
+void ErodedNodes::add_of_faces(const OwnershipRules& rules, NodeIndex node,
+                               std::vector<ErodedNode>& found) const {
   const Mesh& mesh = faces_.mesh();
   std::optional<SurfaceIndex> best;
   ElementSide stands_for;
@@ -27,7 +28,7 @@ void ErodedNodes::add_of_faces(NodeIndex node, std::vector<ErodedNode>& found) c
         return std::ranges::find(corners, node) != corners.end();
       };
       if (std::ranges::none_of(mesh.side_facets(face), has_node)) continue;
-      const auto owner = rules_.of_face(face, true).owner;
+      const auto owner = rules.of_face(face, true).owner;
       if (!owner || (best && *best <= *owner)) continue;
       best = owner;
       stands_for = face;
@@ -37,15 +38,16 @@ void ErodedNodes::add_of_faces(NodeIndex node, std::vector<ErodedNode>& found) c
 }
 
 /// A node set of the mesh has its nodes still, dead elements or not.
-void ErodedNodes::add_of_nodes(NodeIndex node, std::span<const std::uint8_t> alive,
-                               std::vector<ErodedNode>& found) const {
+void ErodedNodes::add_of_nodes(const NodeOwnershipRules& nodes, NodeIndex node,
+                               std::span<const std::uint8_t> alive, std::vector<ErodedNode>& found) const {
   const auto elements = faces_.elements().of(node);
-  if (rules_.nodes().of_node(node, elements, alive).owner) return;
-  const auto owner = rules_.nodes().of_node(node, elements, all_alive_).owner;
+  if (nodes.of_node(node, elements, alive).owner) return;
+  const auto owner = nodes.of_node(node, elements, all_alive_).owner;
   if (owner) found.push_back({node, *owner, ElementSide(elements.front(), 1)});
 }
 
-void ErodedNodes::add(std::span<const ElementIndex> dead, std::span<const std::uint8_t> alive) {
+void ErodedNodes::add(const OwnershipRules& rules, std::span<const ElementIndex> dead,
+                      std::span<const std::uint8_t> alive) {
   std::vector<NodeIndex> nodes;
   for (const ElementIndex element : dead) {
     const auto own = faces_.mesh().element_nodes(element);
@@ -58,8 +60,8 @@ void ErodedNodes::add(std::span<const ElementIndex> dead, std::span<const std::u
     const auto is_removed = [&](ElementIndex element) { return alive[element.value] == 0; };
     const auto stays = [&](ElementIndex element) { return erodes_[element.value] == 0; };
     if (std::ranges::all_of(elements, is_removed) && std::ranges::any_of(elements, stays)) {
-      add_of_faces(node, found);
-      if (rules_.nodes().has_requests()) add_of_nodes(node, alive, found);
+      add_of_faces(rules, node, found);
+      if (rules.nodes().has_requests()) add_of_nodes(rules.nodes(), node, alive, found);
     }
   }
   const auto n_before = static_cast<std::ptrdiff_t>(nodes_.size());

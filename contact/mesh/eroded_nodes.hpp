@@ -15,26 +15,27 @@ namespace contactsim {
 /// surface of nodes, by what its elements claimed alive.
 class ErodedNodes {
  public:
-  /// Both must outlive this.
+  /// `faces` must outlive this.
   ///   erodes  [n_elements] 1 of elements whose nodes leave contact with them
-  ErodedNodes(const OwnershipRules& rules, const FaceGroups& faces, std::vector<std::uint8_t> erodes)
-      : rules_(rules), faces_(faces), erodes_(std::move(erodes)), all_alive_(erodes_.size(), 1) {}
+  ErodedNodes(const FaceGroups& faces, std::vector<std::uint8_t> erodes)
+      : faces_(faces), erodes_(std::move(erodes)), all_alive_(erodes_.size(), 1) {}
 
   /// Adds the nodes that deaths have set free.
+  ///   rules  by which the surfaces were resolved
   ///   dead   elements that have just died
   ///   alive  [n_elements] 0 of all dead elements
-  void add(std::span<const ElementIndex> dead, std::span<const std::uint8_t> alive);
+  void add(const OwnershipRules& rules, std::span<const ElementIndex> dead,
+           std::span<const std::uint8_t> alive);
 
   /// Ascending; a node of two surfaces is there twice.
   std::span<const ErodedNode> nodes() const { return nodes_; }
   std::size_t n_nodes() const;
 
  private:
-  void add_of_faces(NodeIndex node, std::vector<ErodedNode>& found) const;
-  void add_of_nodes(NodeIndex node, std::span<const std::uint8_t> alive,
+  void add_of_faces(const OwnershipRules& rules, NodeIndex node, std::vector<ErodedNode>& found) const;
+  void add_of_nodes(const NodeOwnershipRules& nodes, NodeIndex node, std::span<const std::uint8_t> alive,
                     std::vector<ErodedNode>& found) const;
 
-  const OwnershipRules& rules_;
   const FaceGroups& faces_;
   std::vector<std::uint8_t> erodes_, all_alive_;  // [n_elements]
   std::vector<ErodedNode> nodes_;

@@ -7,7 +7,6 @@
 
 #include "contact/geometry/node_face.hpp"
 #include "contact/geometry/point_in_solid.hpp"
-#include "contact/mesh/bodies.hpp"
 #include "contact/overlap/point_box.hpp"
 #include "contact/search/broad_phase.hpp"
 #include "contact/search/shell_sides.hpp"
@@ -29,91 +28,8 @@ DeepOverlaps::DeepOverlaps(const ContactModel& model, const Mesh& mesh, const Ov
                            std::span<const std::uint8_t> alive)
     : mesh_(mesh),
       parts_(parts),
-      alive_(alive),
-      rules_(model.pairs, std::vector<ActiveTimes>(model.pairs.size()), model.surfaces.surfaces.size()),
-      bodies_(find_bodies(mesh)),
-      number_of_body_(mesh.n_nodes()) {
-  for (const ContactFace& face : contact_mesh().faces) {
-    if (!contact_mesh().is_lofted(face) && !is_solid(mesh, face.side)) continue;
-    OptionalIndex<std::uint32_t>& number = number_of_body_[body_of(face)];
-    if (number) continue;
-    number = 0;
-    thick_bodies_.push_back(body_of(face));
-  }
-  std::ranges::sort(thick_bodies_);
-  for (std::uint32_t i = 0; i < thick_bodies_.size(); ++i) number_of_body_[thick_bodies_[i]] = i;
-  find_lofts();
-}
-
-/// Pairs the tops and bottoms of lofted shells. One of which a surface has one side only is no volume.
-void DeepOverlaps::find_lofts() {
-  std::map<std::uint32_t, const ContactFace*> tops;
-  for (const ContactFace& face : contact_mesh().faces) {
-    if (contact_mesh().is_lofted(face) && face.side.side() == 1) tops[face.side.element().value] = &face;
-  }
-  for (const ContactFace& face : contact_mesh().faces) {
-    if (!contact_mesh().is_lofted(face) || face.side.side() != 2) continue;
-    const auto top = tops.find(face.side.element().value);
-    if (top == tops.end()) continue;
-    std::array<ContactNodeIndex, 8> corners{};
-    for (std::size_t k = 0; k < 4; ++k) {
-      corners[k] = top->second->corners[k];
-      corners[k + 4] =
-          *std::ranges::find(face.corners, contact_mesh().mesh_nodes[corners[k]],
-                             [&](ContactNodeIndex point) { return contact_mesh().mesh_nodes[point]; });
-    }
-    lofts_.push_back({corners, face.side.element()});
-    tops.erase(top);
-  }
-}
-
-/// The solids and lofts of the bodies that meet the boxes of what may lie in them.
-///   boxes  of each body [n_thick_bodies]
-std::vector<DeepOverlaps::Volume> DeepOverlaps::volumes_near(const Eigen::Matrix3Xd& coordinates,
-                                                             const ContactKinematics& kinematics,
-                                                             std::span<const Box> boxes) const {
-  std::vector<Volume> near;
-  Volume volume;
-  // Most bodies of a mesh have nothing near: they cost no corners.
-  const auto may_be_near = [&](std::uint32_t body) {
-    const OptionalIndex<std::uint32_t> number = number_of_body_[body];
-    return number && boxes[*number].lo[0] <= boxes[*number].hi[0];
-  };
-  const auto add_if_near = [&](std::size_t n_corners) {
-    Box own = empty_box();
-    for (std::size_t k = 0; k < n_corners; ++k)
-      add_point(volume.corners.col(static_cast<Eigen::Index>(k)), own);
-    if (do_overlap(own, boxes[*number_of_body_[volume.body]])) near.push_back(volume);
-  };
-  for (const ElementBlock& block : mesh_.blocks()) {
-    if (topology(block.shape).family != Family::solid) continue;
-    const std::size_t n_corners = topology(block.shape).n_corners;
-    volume.shape = block.shape;
-    for (std::uint32_t e = 0; e < block.n_elements; ++e) {
-      const auto nodes = block.element_nodes(e);
-      volume.body = bodies_[nodes[0].value];
-      volume.element = {block.first_element.value + e};
-      if (!may_be_near(volume.body) || (!alive_.empty() && !alive_[volume.element.value])) continue;
-      for (std::size_t k = 0; k < n_corners; ++k)
-        volume.corners.col(static_cast<Eigen::Index>(k)) = coordinates.col(nodes[k].value);
-      add_if_near(n_corners);
-    }
-  }
-  for (const auto& [loft, element] : lofts_) {
-    const bool is_triangle = loft[2] == loft[3];
-    const std::size_t n = is_triangle ? 3 : 4;
-    volume.shape = is_triangle ? Shape::wedge6 : Shape::hex8;
-    volume.body = bodies_[contact_mesh().mesh_nodes[loft[0]]];
-    volume.element = element;
-    if (!may_be_near(volume.body)) continue;
-    for (std::size_t k = 0; k < n; ++k) {
-      volume.corners.col(static_cast<Eigen::Index>(k)) = kinematics.x(loft[k]);
-      volume.corners.col(static_cast<Eigen::Index>(k + n)) = kinematics.x(loft[k + 4]);
-    }
-    add_if_near(2 * n);
-  }
-  return near;
-}
+      volumes_(mesh, parts.contact_mesh, alive),
+      rules_(model.pairs, std::vector<ActiveTimes>(model.pairs.size()), model.surfaces.surfaces.size()) {}
 
 /// Whether a node lies right behind one of the faces of its element that it may go out of, by a share of the
 /// thickness of the thinner side at most.
@@ -124,8 +40,7 @@ bool DeepOverlaps::is_shallow(const ContactKinematics& kinematics, const Inside&
   return std::ranges::any_of(faces, [&](FaceIndex index) {
     const auto closest =
         project_onto_face(kinematics.face_corners(index), contact_mesh().faces[index].is_triangle(), point);
-    if (!closest || closest->edge >= 0 ||
-        own.normal.dot(closest->normal) > same_way_cosine * own.normal.norm())
+    if (!closest || closest->edge || own.normal.dot(closest->normal) > same_way_cosine * own.normal.norm())
       return false;
     const double other = parts_.of_face[index].half_thickness;
     const double half_thickness = own.half_thickness > 0.0 ? std::min(own.half_thickness, other) : other;
@@ -137,35 +52,25 @@ std::vector<DeepOverlaps::Inside> DeepOverlaps::find_inside(const Eigen::Matrix3
                                                             const ContactKinematics& kinematics,
                                                             double shallow) const {
   const auto all_rows = indices(contact_mesh().surface_nodes);
-  if (all_rows.size() == 0 || thick_bodies_.empty()) return {};
+  if (all_rows.size() == 0 || volumes_.thick_bodies().empty()) return {};
   const auto box_of_row = [&](SurfaceNodeIndex row) {
     Box box = empty_box();
     add_point(kinematics.x(contact_mesh().surface_nodes[row].node), box);
     return box;
   };
-  std::vector<Box> body_boxes(thick_bodies_.size(), empty_box());
-  const auto extend = [&](std::uint32_t mesh_node, const Eigen::Vector3d& x) {
-    const OptionalIndex<std::uint32_t> number = number_of_body_[bodies_[mesh_node]];
-    if (number) add_point(x, body_boxes[*number]);
-  };
-  for (std::uint32_t i = 0; i < mesh_.n_nodes(); ++i) extend(i, coordinates.col(i));
-  for (const Loft& loft : lofts_) {
-    for (const ContactNodeIndex point : loft.corners)
-      extend(contact_mesh().mesh_nodes[point], kinematics.x(point));
-  }
+  const std::vector<std::uint32_t>& thick_bodies = volumes_.thick_bodies();
   BroadPhase rows, around, inner;
-  if (rows.update(all_rows, box_of_row) || around.update(body_boxes)) return {};
+  if (rows.update(all_rows, box_of_row) || around.update(volumes_.boxes(coordinates, kinematics))) return {};
   PairLists<SurfaceNodeIndex, std::uint32_t> near;
   rows.find_pairs(
       around,
-      [&](SurfaceNodeIndex row, std::uint32_t body) { return body_of_row(row) != thick_bodies_[body]; },
-      near);
-  std::vector<Box> boxes(thick_bodies_.size(), empty_box());
+      [&](SurfaceNodeIndex row, std::uint32_t body) { return body_of_row(row) != thick_bodies[body]; }, near);
+  std::vector<Box> boxes(thick_bodies.size(), empty_box());
   for (const SurfaceNodeIndex row : all_rows) {
     for (const std::uint32_t body : near.of(row))
       add_point(kinematics.x(contact_mesh().surface_nodes[row].node), boxes[body]);
   }
-  const std::vector<Volume> volumes = volumes_near(coordinates, kinematics, boxes);
+  const std::vector<BodyVolume> volumes = volumes_.near(coordinates, kinematics, boxes);
   if (volumes.empty()) return {};
   const auto box_of_volume = [&](std::uint32_t i) {
     Box box = empty_box();
@@ -175,7 +80,7 @@ std::vector<DeepOverlaps::Inside> DeepOverlaps::find_inside(const Eigen::Matrix3
   };
   if (inner.update(static_cast<std::uint32_t>(volumes.size()), box_of_volume)) return {};
   const auto is_inside = [&](SurfaceNodeIndex row, std::uint32_t i) {
-    const Volume& volume = volumes[i];
+    const BodyVolume& volume = volumes[i];
     if (volume.body == body_of_row(row)) return false;
     return is_in_solid(volume.corners, topology(volume.shape),
                        kinematics.x(contact_mesh().surface_nodes[row].node));
@@ -184,26 +89,31 @@ std::vector<DeepOverlaps::Inside> DeepOverlaps::find_inside(const Eigen::Matrix3
   std::vector<Inside> inside;
   for (const SurfaceNodeIndex row : all_rows) {
     for (const std::uint32_t i : near.of(row)) {
-      const std::uint32_t body = *number_of_body_[volumes[i].body];
+      const std::uint32_t body = *volumes_.number_of_body(volumes[i].body);
       const bool is_known = !inside.empty() && inside.back().row == row && inside.back().body == body;
       if (!is_known) inside.push_back({row, body, volumes[i].element});
     }
   }
-  if (shallow > 0.0 && !inside.empty()) {
-    std::vector<std::pair<ElementIndex, FaceIndex>> of_element;
-    for (const FaceIndex i : indices(contact_mesh().faces))
-      of_element.emplace_back(contact_mesh().faces[i].side.element(), i);
-    std::ranges::sort(of_element);
-    std::vector<FaceIndex> faces;
-    std::erase_if(inside, [&](const Inside& one) {
-      faces.clear();
-      for (const auto& [element, face] :
-           std::ranges::equal_range(of_element, one.element, {}, &std::pair<ElementIndex, FaceIndex>::first))
-        faces.push_back(face);
-      return is_shallow(kinematics, one, shallow, faces);
-    });
-  }
+  if (shallow > 0.0) leave_out_shallow(kinematics, shallow, inside);
   return inside;
+}
+
+/// Leaves out what is_shallow() in the element that it lies in.
+void DeepOverlaps::leave_out_shallow(const ContactKinematics& kinematics, double share,
+                                     std::vector<Inside>& inside) const {
+  if (inside.empty()) return;
+  std::vector<std::pair<ElementIndex, FaceIndex>> of_element;
+  for (const FaceIndex i : indices(contact_mesh().faces))
+    of_element.emplace_back(contact_mesh().faces[i].side.element(), i);
+  std::ranges::sort(of_element);
+  std::vector<FaceIndex> faces;
+  std::erase_if(inside, [&](const Inside& one) {
+    faces.clear();
+    for (const auto& [element, face] :
+         std::ranges::equal_range(of_element, one.element, {}, &std::pair<ElementIndex, FaceIndex>::first))
+      faces.push_back(face);
+    return is_shallow(kinematics, one, share, faces);
+  });
 }
 
 /// Whether one of a node's own faces looks at a face; what has none looks everywhere.
@@ -246,7 +156,7 @@ std::optional<DeepOverlap> DeepOverlaps::find_way_out(
     if (std::hypot(closest->gap, closest->beyond) <= smallest_share * parts_.of_face[index].size)
       return std::nullopt;
     // Behind a facet, and still before the round surface that it stands for.
-    if (round != nullptr && closest->edge < 0 && closest->gap > 0.0 && closest->gap <= round->height())
+    if (round != nullptr && !closest->edge && closest->gap > 0.0 && closest->gap <= round->height())
       return std::nullopt;
     if (closest->gap > 0.0) continue;
     const double cost = std::hypot(closest->gap, closest->beyond) * (1.0 + 2.0 * (1.0 + cosine));
@@ -273,10 +183,10 @@ std::vector<DeepOverlap> DeepOverlaps::find(const Eigen::Matrix3Xd& coordinates,
   const std::vector<Inside> inside = find_inside(coordinates, kinematics, shallow);
   if (inside.empty()) return {};
   const auto faces_of_body =
-      list_by_row<std::uint32_t, FaceIndex>(thick_bodies_.size(), [&](const auto& take) {
+      list_by_row<std::uint32_t, FaceIndex>(volumes_.thick_bodies().size(), [&](const auto& take) {
         for (const FaceIndex i : indices(contact_mesh().faces)) {
-          const OptionalIndex<std::uint32_t> number = number_of_body_[body_of(contact_mesh().faces[i])];
-          if (number) take(*number, i);
+          const std::uint32_t node = contact_mesh().mesh_nodes[contact_mesh().faces[i].corners[0]];
+          if (const auto number = volumes_.number_of_body(node)) take(*number, i);
         }
       });
   std::vector<std::optional<DeepOverlap>> ways(inside.size());

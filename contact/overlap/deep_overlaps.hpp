@@ -8,9 +8,8 @@
 #include "contact/interface_laws/pair_rules.hpp"
 #include "contact/mesh/contact_kinematics.hpp"
 #include "contact/mesh/contact_model.hpp"
+#include "contact/overlap/body_volumes.hpp"
 #include "contact/overlap/overlap_parts.hpp"
-#include "contact/search/box_tree.hpp"
-#include "core/base/optional_index.hpp"
 
 namespace contactsim {
 
@@ -35,7 +34,7 @@ class DeepOverlaps {
                std::span<const std::uint8_t> alive = {});
 
   /// [n_nodes] the first node of each node's body.
-  const std::vector<std::uint32_t>& bodies() const { return bodies_; }
+  const std::vector<std::uint32_t>& bodies() const { return volumes_.bodies(); }
 
   /// All nodes inside of what their surface is paired with, ascending by row. Of the faces of the body around
   /// it the way out is the nearest one, nearer the more it is turned against the node's surface; those that
@@ -53,49 +52,28 @@ class DeepOverlaps {
  private:
   struct Inside {
     SurfaceNodeIndex row;
-    std::uint32_t body;  // in thick_bodies_
-    ElementIndex element;
-  };
-  /// A solid, or the room between the top and the bottom of a lofted shell.
-  struct Volume {
-    Eigen::Matrix<double, 3, 8> corners;  // [length]; a wedge of a triangle has six
-    Shape shape;
-    std::uint32_t body;  // its first node
+    std::uint32_t body;  // in BodyVolumes::thick_bodies()
     ElementIndex element;
   };
   std::vector<Inside> find_inside(const Eigen::Matrix3Xd& coordinates, const ContactKinematics& kinematics,
                                   double shallow) const;
   bool is_shallow(const ContactKinematics& kinematics, const Inside& inside, double share,
                   std::span<const FaceIndex> faces) const;
-  void find_lofts();
-  std::vector<Volume> volumes_near(const Eigen::Matrix3Xd& coordinates, const ContactKinematics& kinematics,
-                                   std::span<const Box> boxes) const;
+  void leave_out_shallow(const ContactKinematics& kinematics, double share,
+                         std::vector<Inside>& inside) const;
   std::optional<DeepOverlap> find_way_out(const ContactKinematics& kinematics, const Inside& inside,
                                           const PairLists<std::uint32_t, FaceIndex>& faces_of_body) const;
   bool is_facing(const ContactKinematics& kinematics, const SurfaceNode& node,
                  const Eigen::Vector3d& normal) const;
-  std::uint32_t body_of(const ContactFace& face) const {
-    return bodies_[contact_mesh().mesh_nodes[face.corners[0]]];
-  }
   std::uint32_t body_of_row(SurfaceNodeIndex row) const {
-    return bodies_[contact_mesh().mesh_nodes[contact_mesh().surface_nodes[row].node]];
+    return bodies()[contact_mesh().mesh_nodes[contact_mesh().surface_nodes[row].node]];
   }
   const ContactMesh& contact_mesh() const { return parts_.contact_mesh; }
 
   const Mesh& mesh_;
   const OverlapParts& parts_;
-  std::span<const std::uint8_t> alive_;
+  BodyVolumes volumes_;
   PairRules rules_;
-  std::vector<std::uint32_t> bodies_;        // [n_nodes]
-  std::vector<std::uint32_t> thick_bodies_;  // with contact faces of solids or lofts, ascending
-  std::vector<OptionalIndex<std::uint32_t>>
-      number_of_body_;  // [n_nodes] by first node: position in thick_bodies_
-  /// Of each lofted shell, first the corners of the top, then below each of them that of the bottom.
-  struct Loft {
-    std::array<ContactNodeIndex, 8> corners;
-    ElementIndex element;
-  };
-  std::vector<Loft> lofts_;
 };
 
 }  // namespace contactsim

@@ -161,8 +161,8 @@ std::optional<ClosestPoint> project_sphere(const FaceCorners& x, bool is_triangl
   if (!found) return std::nullopt;
   double xi = found->xi, eta = found->eta;
   found->edge = move_inside(is_triangle, xi, eta);
-  if (std::abs(found->xi - xi) + std::abs(found->eta - eta) < on_edge) found->edge = -1;
-  if (found->edge >= 0) {
+  if (std::abs(found->xi - xi) + std::abs(found->eta - eta) < on_edge) found->edge = std::nullopt;
+  if (found->edge) {
     if (radius > 0.0) return project_sphere(x, is_triangle, centre, radius);
     found->beyond = (patch.at(found->xi, found->eta).on_face - patch.at(xi, eta).on_face).norm();
   }

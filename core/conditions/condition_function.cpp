@@ -65,9 +65,8 @@ double ConditionFunction::at(double time, const NodalFields& fields, NodeIndex n
   return factor_ * function_.evaluate(std::span<const double>(values.data(), inputs_.size()));
 }
 
-void ConditionFunction::fail(double time, std::int64_t node_id) const {
-  throw SolveError(
-      time, fmt::format("the function of {} has no finite value at node {}", to_string(label_), node_id));
+void ConditionFunction::fail(double time, const std::string& where) const {
+  throw SolveError(time, fmt::format("the function of {} has no finite value {}", to_string(label_), where));
 }
 
 /// Looks up what a function reads; each step gives nothing after adding an error.

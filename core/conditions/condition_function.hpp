@@ -4,6 +4,7 @@
 #include <Eigen/Core>
 #include <cstdint>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "core/conditions/condition_scope.hpp"
@@ -54,8 +55,9 @@ class ConditionFunction {
   /// The value at a node, which may be not finite.
   double at(double time, const NodalFields& fields, NodeIndex node) const;
 
-  /// Throws the SolveError of a node whose value is not finite.
-  [[noreturn]] void fail(double time, std::int64_t node_id) const;
+  /// Throws the SolveError of a value that is not finite.
+  ///   where  "at node 5"
+  [[noreturn]] void fail(double time, const std::string& where) const;
 
  private:
   /// One number that the function reads.

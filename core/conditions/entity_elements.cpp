@@ -20,8 +20,7 @@ void report(const NamedEntity& part, const ConditionLabel& label, const Conditio
 }  // namespace
 
 std::vector<ElementIndex> find_elements(const EntitySet& set, const ConditionLabel& label,
-                                        const ConditionScope& scope) {
-  const std::size_t n_errors = scope.diagnostics.error_count();
+                                        const ConditionScope& scope, std::size_t n_errors) {
   const EntityParts parts = find_parts(set, label, scope);
   ElementMarks marks(scope.mesh, false);
   const auto mark = [&](const NamedEntity& part, bool value) {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "core/conditions/external_force.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
@@ -108,7 +110,7 @@ void ExternalForce::add_load(const NodeLoad& load, const Motion& motion, Eigen::
     forces.col(node.value) += (load.masses.empty() ? value : load.masses[i] * value) * load.direction;
     return std::isfinite(value) ? beyond_all_nodes : node.value;
   });
-  if (bad != beyond_all_nodes) load.value.fail(motion.time, mesh_->node_id({bad}));
+  if (bad != beyond_all_nodes) load.value.fail(motion.time, fmt::format("at node {}", mesh_->node_id({bad})));
 }
 
 void ExternalForce::add_load(const FaceLoad& load, const Motion& motion, Eigen::Matrix3Xd& forces) {
@@ -121,7 +123,7 @@ void ExternalForce::add_load(const FaceLoad& load, const Motion& motion, Eigen::
       corner_forces_[4 * face + static_cast<std::size_t>(a)] << on_corners.col(a), 0.0;
     return first_bad(value, load.faces[face]);
   });
-  if (bad != beyond_all_nodes) load.value.fail(motion.time, mesh_->node_id({bad}));
+  if (bad != beyond_all_nodes) load.value.fail(motion.time, fmt::format("at node {}", mesh_->node_id({bad})));
   load.sums.add(corner_forces_, forces);
 }
 

@@ -102,6 +102,7 @@ void KinematicConstraintsMaker::sort_out_bodies(PrescribedMotion& motion) const 
         "name its block or the body itself to act on all of it");
   }
   motion.nodes = target_.are_bodies ? std::move(bodies) : std::move(free);
+  if (target_.are_bodies) motion.bodies = rigid.names;
 }
 
 /// Returns whether some are left, or there were none before.

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "core/conditions/prescribed_motion.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -38,7 +40,9 @@ void for_each_node(const PrescribedMotion& motion, double time, const NodalField
     move(static_cast<Eigen::Index>(node.value), value);
     return std::isfinite(value) ? beyond_all_nodes : node.value;
   });
-  if (bad != beyond_all_nodes) motion.value.fail(time, mesh.node_id({bad}));
+  if (bad == beyond_all_nodes) return;
+  motion.value.fail(time, motion.bodies.empty() ? fmt::format("at node {}", mesh.node_id({bad}))
+                                                : fmt::format("for the rigid body '{}'", motion.bodies[bad]));
 }
 
 /// A node's motion along a unit vector.

@@ -3,6 +3,7 @@
 
 #include <Eigen/Core>
 #include <cstdint>
+#include <string>
 #include <vector>
 
 #include "core/conditions/active_times.hpp"
@@ -54,6 +55,9 @@ struct PrescribedMotion {
   ActiveTimes times;
   std::vector<NodeIndex> nodes;  ///< ascending, each once
   ConditionLabel label;
+  /// Of rigid bodies, which its nodes are the positions of, the names of all [n_bodies]; empty: nodes of the
+  /// mesh
+  std::vector<std::string> bodies = {};
 
   /// Overwrites the prescribed parts of accelerations, such that the coming half step has the wanted
   /// velocity. Throws SolveError when the value is not finite.

@@ -90,7 +90,8 @@ std::vector<std::vector<ElementIndex>> find_death_sets(const ConditionScope& sco
   std::vector<std::vector<ElementIndex>> sets;
   for (const ElementDeath& death : scope.region.element_deaths) {
     check_criteria(death, scope.diagnostics);
-    sets.push_back(find_elements(with_materials(death, scope), label_of(death), scope));
+    const std::size_t n_errors = scope.diagnostics.error_count();
+    sets.push_back(find_elements(with_materials(death, scope), label_of(death), scope, n_errors));
     leave_out_unmade(model, sets.back());
     leave_out_rigid(death, scope, model, sets.back());
     if (death.on_inversion) mark_inverting(sets.back(), model);

@@ -21,7 +21,7 @@ bool BodyBlocks::add(std::uint32_t row, std::uint32_t column, const Eigen::Matri
 void BodyBlocks::project() {
   const StaticBodies& bodies = problem_.bodies();
   std::vector<Block> free(blocks_.size(), Block::Identity());
-  problem_.visit_held([&](std::uint32_t node, Eigen::Index, const Eigen::Matrix3d& held) {
+  problem_.held().visit([&](std::uint32_t node, Eigen::Index, const Eigen::Matrix3d& held) {
     if (bodies.is_of_mesh(node)) return;
     const std::uint32_t body = bodies.owner(node);
     const Eigen::Index first = node == bodies.centre_node(body) ? 0 : 3;

@@ -101,7 +101,7 @@ FreeBodies find_free_bodies(const StaticProblem& problem, const NodeGraph& graph
   for_each_node([](Body& body, const Eigen::Vector3d& x) {
     body.size = std::max(body.size, (x - body.centre).norm());
   });
-  problem.visit_held([&](std::uint32_t node, Eigen::Index first, const Eigen::Matrix3d& held) {
+  problem.held().visit([&](std::uint32_t node, Eigen::Index first, const Eigen::Matrix3d& held) {
     if (!body_of[node]) return;
     Body& body = bodies[*body_of[node]];
     if (!rigid.is_of_mesh(node) && node == rigid.turning_node(rigid.owner(node))) {

@@ -9,7 +9,7 @@ FullTangent::FullTangent(StaticProblem& problem, const NodeGraph& graph, const F
     : Tangent(problem, graph, settings), graph_(graph), factor_(make_sparse_factor(is_symmetric())) {}
 
 void FullTangent::number_unknowns() {
-  numbers_.assign(static_cast<std::size_t>(problem_.size()), -1);
+  numbers_.assign(static_cast<std::size_t>(problem_.size()), std::nullopt);
   places_.clear();
   for (std::uint32_t node = 0; node < graph_.n_nodes(); ++node) {
     if (graph_.neighbours(node).empty()) continue;
@@ -17,7 +17,7 @@ void FullTangent::number_unknowns() {
     for (std::size_t i = 0; i < blocks_.per_node(); ++i) {
       if (own[i * blocks_.per_node() + i] == 0.0) continue;  // rotations of a node of solids
       const std::size_t place = blocks_.place(node, i);
-      numbers_[place] = static_cast<int>(places_.size());
+      numbers_[place] = static_cast<std::uint32_t>(places_.size());
       places_.push_back(place);
     }
   }
@@ -29,16 +29,16 @@ SparseFactor::Matrix FullTangent::assemble() const {
   const auto number = [&](std::uint32_t node, std::size_t unknown) {
     return numbers_[blocks_.place(node, unknown)];
   };
-  const auto add = [&](int row, int column, double value) {
+  const auto add = [&](std::uint32_t row, std::uint32_t column, double value) {
     if (is_symmetric() && row < column) std::swap(row, column);
     if (is_symmetric() && row != column) value *= 0.5;  // the other half comes from across the diagonal
-    entries.emplace_back(row, column, value);
+    entries.emplace_back(static_cast<int>(row), static_cast<int>(column), value);
   };
   const std::size_t n_unknowns = blocks_.per_node();
   blocks_.visit([&](std::uint32_t row_node, std::uint32_t column_node, const double* block) {
     for (std::size_t k = 0; k < n_unknowns * n_unknowns; ++k) {
-      const int column = number(column_node, k / n_unknowns), row = number(row_node, k % n_unknowns);
-      if (row >= 0 && column >= 0 && (block[k] != 0.0 || row == column)) add(row, column, block[k]);
+      const auto column = number(column_node, k / n_unknowns), row = number(row_node, k % n_unknowns);
+      if (row && column && (block[k] != 0.0 || row == column)) add(*row, *column, block[k]);
     }
   });
   const auto n = static_cast<Eigen::Index>(places_.size());

@@ -3,6 +3,7 @@
 
 #include <memory>
 
+#include "core/base/optional_index.hpp"
 #include "core/statics/sparse_factor.hpp"
 #include "core/statics/tangent.hpp"
 #include "core/statics/tangent_blocks.hpp"
@@ -31,7 +32,8 @@ class FullTangent final : public Tangent {
   bool is_symmetric() const { return blocks_.per_node() == 3; }
 
   const NodeGraph& graph_;
-  std::vector<int> numbers_;         // [size] of the unknowns in the matrix, -1 of those without stiffness
+  /// [size] of the unknowns in the matrix; absent of those without stiffness
+  std::vector<OptionalIndex<std::uint32_t>> numbers_;
   std::vector<std::size_t> places_;  // [n] of the matrix's unknowns in vectors
   std::unique_ptr<SparseFactor> factor_;
   bool exists_ = false;

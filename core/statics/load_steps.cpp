@@ -12,6 +12,7 @@
 #include "core/dynamics/rigid_motion.hpp"
 #include "core/dynamics/state_motion.hpp"
 #include "core/statics/free_bodies.hpp"
+#include "core/statics/no_equilibrium.hpp"
 
 namespace contactsim {
 
@@ -27,9 +28,6 @@ CgSettings settings_of(const CgSettings& settings, const DeckName& period, const
   if (cg.max_iterations == 0) cg.max_iterations = cg.full_tangent ? 100 : nodal_iterations(mesh);
   return cg;
 }
-
-/// Forces left over that are this many times as large as what loads them speak of a body that flies away.
-constexpr double runaway = 1e3;
 
 }  // namespace
 
@@ -262,35 +260,9 @@ void LoadSteps::find_next() {
   state_.next_dt = schedule_.is_over(state_.time) ? dt : schedule_.step_at(state_.time);
 }
 
-std::string LoadSteps::name_of(NodeIndex node) const {
-  const StaticBodies& bodies = problem_.bodies();
-  if (bodies.is_of_mesh(node.value)) return fmt::format("node {}", model_.mesh->node_id(node));
-  const std::uint32_t body = bodies.owner(node.value);
-  const char* what = node.value == bodies.turning_node(body) ? "the moment on" : "the force on";
-  return fmt::format("{} the rigid body '{}'", what, bodies.body(body).name);
-}
-
-/// What to say of rigid bodies that contact alone may hold.
-std::string LoadSteps::free_names() const {
-  std::string names;
-  for (const std::uint32_t i : free_)
-    names += (names.empty() ? "'" : ", '") + problem_.bodies().body(i).name + "'";
-  if (names.empty()) return names;
-  const char* what = problem_.contact() != nullptr ? "contact alone may hold" : "nothing else holds";
-  return fmt::format("; conditions leave rigid motions, which {}, to {}", what, names);
-}
-
 void LoadSteps::fail(std::string text) const {
-  const CgReport& search = report_.search;
-  if (!(search.reference > 0.0))
-    throw SolveError(state_.time, text + "elements turn inside out from the first guess on" + free_names());
-  text +=
-      fmt::format("after {} iterations {:.4g} of forces are left over, {:.3g} of their reference {:.4g}",
-                  search.n_iterations, search.residual, search.residual / search.reference, search.reference);
-  if (residual_.size() == problem_.size()) text += ", most at " + name_of(problem_.largest_at(residual_));
-  if (!(search.residual < runaway * search.reference))
-    text += "; are all bodies held, by conditions or by what they are joined to?";
-  throw SolveError(state_.time, text + free_names());
+  throw SolveError(state_.time, text + describe_imbalance(problem_, *model_.mesh, report_.search, residual_) +
+                                    name_free_bodies(problem_, free_));
 }
 
 void LoadSteps::archive(StateArchive& saved) {

@@ -46,6 +46,8 @@ class LoadSteps {
   ///   contact  the same as that of the terms, null without
   LoadSteps(const Model& model, ForceTerms terms, StaticContact* contact, const SolverSettings& settings,
             LoadSchedule schedule, State& state);
+  LoadSteps(const LoadSteps&) = delete;
+  LoadSteps& operator=(const LoadSteps&) = delete;
 
   /// Finds the forces of the start, and the first step. Throws SolveError.
   ///   takes_over  the state is one that another procedure came to: what is out of balance in it is let go
@@ -81,8 +83,6 @@ class LoadSteps {
   void undo_deaths();
   std::vector<NodeIndex> find_lifeless();
   void find_free();
-  std::string name_of(NodeIndex node) const;
-  std::string free_names() const;
   void search(const CgSettings& cg, Eigen::VectorXd& increment);
   bool control_contact(const CgSettings& cg, Eigen::VectorXd& increment);
   void begin_stabilization(double dt);

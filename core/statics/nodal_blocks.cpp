@@ -69,7 +69,7 @@ std::int64_t NodalBlocks::renew(const Eigen::VectorXd& increment) {
   const auto n_nodes = static_cast<std::size_t>(probe_.n_nodes());
   parallel_for(n_nodes, threads_for(100 * n_nodes), [&](std::size_t node) {
     const auto first = static_cast<Eigen::Index>(node) * per_node_;
-    const Eigen::VectorXd scales = problem_.unknown_scales(static_cast<std::uint32_t>(node));
+    const Eigen::VectorXd scales = problem_.unknowns().scales_of(static_cast<std::uint32_t>(node));
     const Eigen::MatrixXd scaled =
         scales.asDiagonal() * blocks.middleCols(first, per_node_) * scales.asDiagonal();
     inverses_.middleCols(first, per_node_) =

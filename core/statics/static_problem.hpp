@@ -10,8 +10,10 @@
 #include "core/dynamics/model.hpp"
 #include "core/dynamics/state.hpp"
 #include "core/statics/equilibrium.hpp"
-#include "core/statics/static_bodies.hpp"
-#include "core/statics/static_contact.hpp"
+#include "core/statics/fading_forces.hpp"
+#include "core/statics/static_springs.hpp"
+#include "core/statics/static_unknowns.hpp"
+#include "core/statics/step_start.hpp"
 
 namespace contactsim {
 
@@ -32,8 +34,8 @@ class StaticProblem final : public Equilibrium {
   /// Has evaluations throw SearchGivenUp once that is wanted; null: never.
   void give_up_when(std::function<bool()> wants_end) { wants_end_ = std::move(wants_end); }
 
-  /// Unknowns: 3 a node, 6 where nodes turn; of nodes of the mesh, then those of rigid bodies.
-  Eigen::Index size() const { return state_.rotations.exist() ? 2 * n_ : n_; }
+  const StaticUnknowns& unknowns() const { return unknowns_; }
+  Eigen::Index size() const { return unknowns_.size(); }
 
   /// To be called once the forces of the start are known: what was taken over may come back to rest without
   /// loads.
@@ -52,7 +54,7 @@ class StaticProblem final : public Equilibrium {
   ///   has_deaths  what has_deaths() was then
   void undo_deaths(std::vector<NodeIndex> lifeless, bool has_deaths);
   /// Takes notice of lifeless nodes alone, where the state is one that note_deaths() has left.
-  void hold_lifeless(std::vector<NodeIndex> lifeless) { lifeless_ = std::move(lifeless); }
+  void hold_lifeless(std::vector<NodeIndex> lifeless) { held_.set_lifeless(std::move(lifeless)); }
   /// Begins a step at the state: fixed and prescribed directions and what is remembered are those of now.
   ///   dt  of the step [time]
   /// Throws SolveError when a condition has no finite value.
@@ -72,65 +74,54 @@ class StaticProblem final : public Equilibrium {
   void restore();
   void archive(StateArchive& saved);
   /// The springs of contact of the last find_springs(), without what moves along held directions.
-  const std::vector<ContactSpring>& springs() const { return springs_; }
+  const std::vector<ContactSpring>& springs() const { return springs_.all(); }
   StaticContact* contact() const { return contact_; }
   /// Has no trial of a search move a node by more than a length.
   void limit_motion(double longest) { longest_motion_ = longest; }
   /// Takes notice of the largest stiffness of a node, by which round-off is known [force/length].
   void set_stiffness(double largest) { stiffness_ = largest; }
-  /// The node with the largest force in a residual.
-  NodeIndex largest_at(const Eigen::VectorXd& residual) const;
   /// As evaluate(), but with forces on the nodes of rigid bodies, which those of bodies are sums of.
   bool evaluate_nodes(const Eigen::VectorXd& increment, Eigen::VectorXd& forces);
 
   bool evaluate(const Eigen::VectorXd& increment, Eigen::VectorXd& residual) override;
-  double norm(const Eigen::VectorXd& residual) const override;
+  double norm(const Eigen::VectorXd& residual) const override { return unknowns_.norm(residual); }
   double reference() const override;
   double round_off() const override;
-  Eigen::VectorXd scales(Eigen::Index /*size*/) const override { return weights_.cwiseSqrt(); }
+  Eigen::VectorXd scales(Eigen::Index /*size*/) const override { return unknowns_.weights().cwiseSqrt(); }
   double probe_factor(const Eigen::VectorXd& direction) const override;
   bool is_rough() const override { return contact_ != nullptr; }
   void hold_rough(bool does) override { holds_contact_ = does; }
   bool hold_slip_limits(bool does) override {
     return contact_ != nullptr && contact_->hold_slip_limits(does);
   }
-  void find_springs() override;
-  void add_springs(const Eigen::VectorXd& direction, Eigen::VectorXd& product) const override;
+  void find_springs() override { springs_.find(contact_, bodies_, held_); }
+  void add_springs(const Eigen::VectorXd& direction, Eigen::VectorXd& product) const override {
+    springs_.add(unknowns_.n(), direction, product);
+  }
   double longest_step(const Eigen::VectorXd& direction) const override;
-  void project(Eigen::VectorXd& vector) const override;
+  void project(Eigen::VectorXd& vector) const override { held_.project(vector); }
 
   /// By how much an unknown may move for a derivative by differences [length], of rotations [1].
-  double probe_of(Eigen::Index unknown) const { return unknown < n_ ? probe_length_ : probe_angle; }
-  /// Calls take(node, first, held) for every node with fixed or prescribed directions: held projects on them,
-  /// of its displacements (first 0) or rotations (first 3).
-  template <class Take>
-  void visit_held(const Take& take) const {
-    const auto visit = [&](const std::vector<FreeDirections>& nodes, Eigen::Index first) {
-      for (const FreeDirections& free : nodes)
-        take(free.node.value, first, Eigen::Matrix3d(Eigen::Matrix3d::Identity() - free.projection));
-    };
-    visit(free_, 0);
-    visit(free_rotations_, 3);
+  double probe_of(Eigen::Index unknown) const {
+    return unknown < unknowns_.n() ? probe_length_ : probe_angle;
   }
-  /// What makes forces of the residuals of a node's unknowns: 1, and 1/length of rotations [3 or 6].
-  Eigen::VectorXd unknown_scales(std::uint32_t node) const;
+  /// Fixed and prescribed directions of the step.
+  const HeldDirections& held() const { return held_; }
 
  private:
   static constexpr double probe_angle = 1e-6;
 
   double reference_now() const;
-  double share_held(double time) const;
-  void hold_nodes();
   Eigen::VectorXd unbalanced_at_start() const;
-  void remember();
-  void recall_elements();
   void move_to(const Eigen::VectorXd& increment);
   void set_forces(const Motion& motion);
   void set_forces_of_mesh(const Motion& motion);
   using Part = Eigen::Matrix3Xd NodalForces::*;
-  Eigen::VectorXd forces_of(Part part, const NodalForces& forces, const NodalForces& moments) const;
   Eigen::VectorXd forces_of(Part part) const {
-    return forces_of(part, state_.forces, state_.rotations.moments);
+    return unknowns_.vector_of(state_.forces.*part, state_.rotations.moments.*part);
+  }
+  Eigen::VectorXd forces_of_start(Part part) const {
+    return unknowns_.vector_of(start_.forces().*part, start_.rotations().moments.*part);
   }
   /// The same with those of rigid bodies summed.
   Eigen::VectorXd gathered(Eigen::VectorXd forces) const {
@@ -141,40 +132,29 @@ class StaticProblem final : public Equilibrium {
   Eigen::VectorXd all_forces() const;
   Eigen::VectorXd all_forces_of_start() const;
   Eigen::VectorXd moved(const Eigen::VectorXd& increment) const;
-  void find_free();
 
   std::function<bool()> wants_end_;
   const Model& model_;
   ForceTerms terms_;
   StaticContact* contact_;
-  std::vector<ContactSpring> springs_;
+  StaticSprings springs_;
   ResidualReference kind_;
   State& state_;
   StaticBodies bodies_;
-  Eigen::Index n_mesh_;  // 3 n_nodes of the mesh
-  Eigen::Index n_;       // 3 n_nodes
+  StaticUnknowns unknowns_;
   double probe_length_;
-  Eigen::VectorXd weights_;  // of squared residuals: 1, and 1/length^2 of moments
   bool holds_contact_ = false;
   double stiffness_ = 0.0;  // largest of a node [force/length]
   double increment_ = 0.0;  // largest of a node in the last evaluation [length]
   double longest_motion_ = std::numeric_limits<double>::infinity();  // [length]
   double dt_ = 0.0;
-  std::vector<NodeIndex> lifeless_;  // nodes of dead elements alone
-  bool has_deaths_ = false;          // since the last step
-  Eigen::VectorXd let_go_;           // out of balance by deaths; empty: nothing
-  double largest_reference_ = 0.0;   // of accepted steps
-  Eigen::VectorXd held_;             // out of balance in what was taken over; empty: nothing
-  double held_from_ = 0.0, held_until_ = 0.0;
-  std::vector<FreeDirections> free_, free_rotations_;
+  bool has_deaths_ = false;         // since the last step
+  Eigen::VectorXd let_go_;          // out of balance by deaths; empty: nothing
+  double largest_reference_ = 0.0;  // of accepted steps
+  FadingForces taken_over_;         // out of balance in what was taken over
+  HeldDirections held_;
   Eigen::VectorXd prescribed_;
-  // Of the state at the start of the step.
-  double time_ = 0.0;
-  Eigen::Matrix3Xd coordinates_, velocity_;
-  NodalRotations rotations_;
-  NodalForces forces_;
-  std::vector<std::vector<Lanes>> element_values_;
-  std::vector<double> hourglass_work_;
+  StepStart start_;
 };
 
 }  // namespace contactsim

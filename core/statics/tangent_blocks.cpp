@@ -4,10 +4,7 @@
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
-#include <tuple>
 #include <utility>
-
-#include "core/base/optional_index.hpp"
 
 namespace contactsim {
 
@@ -18,68 +15,6 @@ double size_of(const std::vector<ContactSpring>& springs) {
   double size = 0.0;
   for (const ContactSpring& spring : springs) size += spring.coupling.norm() * spring.stiffness.norm();
   return size;
-}
-
-/// A matrix with blocks put in beside those that it has.
-///   blocks  by rows, then by columns; none of them twice or there already
-BlockMatrix<3, 3> with_blocks(const BlockMatrix<3, 3>& matrix, const std::vector<NodeBlock>& blocks) {
-  BlockMatrix<3, 3> merged;
-  merged.n_columns = matrix.n_columns;
-  merged.first.push_back(0);
-  merged.columns.reserve(matrix.n_blocks() + blocks.size());
-  merged.values.reserve(9 * merged.columns.capacity());
-  auto next = blocks.begin();
-  const auto append = [&](std::uint32_t column, const double* block) {
-    merged.columns.push_back(column);
-    merged.values.insert(merged.values.end(), block, block + 9);
-  };
-  for (std::uint32_t row = 0; row < matrix.n_rows(); ++row) {
-    for (std::size_t k = matrix.first[row]; k < matrix.first[row + std::size_t{1}]; ++k) {
-      for (; next != blocks.end() && next->row == row && next->column < matrix.columns[k]; ++next)
-        append(next->column, next->stiffness.data());
-      append(matrix.columns[k], matrix.values.data() + 9 * k);
-    }
-    for (; next != blocks.end() && next->row == row; ++next) append(next->column, next->stiffness.data());
-    merged.first.push_back(merged.columns.size());
-  }
-  return merged;
-}
-
-/// The halves of blocks and of their transposes, by rows and columns, each once.
-std::vector<NodeBlock> symmetric_halves(const std::vector<NodeBlock>& blocks) {
-  std::vector<NodeBlock> all;
-  for (const NodeBlock& block : blocks) {
-    all.push_back({block.row, block.column, 0.5 * block.stiffness});
-    all.push_back({block.column, block.row, 0.5 * block.stiffness.transpose()});
-  }
-  const auto key = [](const NodeBlock& block) { return std::tie(block.row, block.column); };
-  std::stable_sort(all.begin(), all.end(),
-                   [&](const NodeBlock& a, const NodeBlock& b) { return key(a) < key(b); });
-  std::vector<NodeBlock> sums;
-  for (const NodeBlock& block : all) {
-    if (!sums.empty() && key(sums.back()) == key(block))
-      sums.back().stiffness += block.stiffness;
-    else
-      sums.push_back(block);
-  }
-  return sums;
-}
-
-/// A matrix without what is left of nodes that rigid bodies move.
-BlockMatrix<3, 3> without_moved(const BlockMatrix<3, 3>& matrix, const StaticBodies& bodies) {
-  BlockMatrix<3, 3> left;
-  left.n_columns = matrix.n_columns;
-  left.first.push_back(0);
-  for (std::uint32_t row = 0; row < matrix.n_rows(); ++row) {
-    for (std::size_t k = matrix.first[row]; k < matrix.first[row + std::size_t{1}]; ++k) {
-      if (bodies.moves(row) || bodies.moves(matrix.columns[k])) continue;
-      left.columns.push_back(matrix.columns[k]);
-      left.values.insert(left.values.end(), matrix.values.begin() + static_cast<std::ptrdiff_t>(9 * k),
-                         matrix.values.begin() + static_cast<std::ptrdiff_t>(9 * k + 9));
-    }
-    left.first.push_back(left.columns.size());
-  }
-  return left;
 }
 
 }  // namespace
@@ -111,7 +46,7 @@ bool TangentBlocks::are_neighbours(std::uint32_t a, std::uint32_t b) const {
 
 /// Gives directions that are held, which have no stiffness left, that of their node.
 void TangentBlocks::hold_directions() {
-  problem_.visit_held([&](std::uint32_t node, Eigen::Index first, const Eigen::Matrix3d& held) {
+  problem_.held().visit([&](std::uint32_t node, Eigen::Index first, const Eigen::Matrix3d& held) {
     if (graph_.neighbours(node).empty()) return;
     Eigen::Map<Eigen::MatrixXd> block(block_of(node, node), static_cast<Eigen::Index>(per_node_),
                                       static_cast<Eigen::Index>(per_node_));
@@ -220,34 +155,16 @@ std::int64_t TangentBlocks::renew(const Eigen::VectorXd& increment) {
   return n_evaluations;
 }
 
-std::vector<NodeBlock> blocks_of(const std::vector<ContactSpring>& springs) {
-  std::vector<NodeBlock> blocks;
-  for (const ContactSpring& spring : springs) {
-    spring.visit_blocks([&](const SpringEnd& a, const SpringEnd& b, const Eigen::Matrix3d& block) {
-      blocks.push_back({a.node, b.node, block, a.turns, b.turns});
-    });
-  }
-  return blocks;
-}
-
 void TangentBlocks::join(std::vector<NodeBlock> blocks) {
   blocks.insert(blocks.end(), of_bodies_.begin(), of_bodies_.end());
-  // Of displacements and rotations of each node.
-  std::vector<OptionalIndex<std::uint32_t>> held_place(2 * std::size_t{graph_.n_nodes()});
-  std::vector<Eigen::Matrix3d> free;
-  problem_.visit_held([&](std::uint32_t node, Eigen::Index first, const Eigen::Matrix3d& held) {
-    held_place[2 * std::size_t{node} + (first > 0 ? 1 : 0)] = static_cast<std::uint32_t>(free.size());
-    free.push_back(Eigen::Matrix3d::Identity() - held);
-  });
+  const FreeProjections free(problem_.held(), graph_.n_nodes());
   joined_.clear();
   for (NodeBlock block : blocks) {
     if (graph_.neighbours(block.row).empty() || graph_.neighbours(block.column).empty()) continue;
-    const OptionalIndex<std::uint32_t> row =
-        held_place[2 * std::size_t{block.row} + (block.row_turns ? 1 : 0)];
-    const OptionalIndex<std::uint32_t> column =
-        held_place[2 * std::size_t{block.column} + (block.column_turns ? 1 : 0)];
-    if (row) block.stiffness = (free[*row] * block.stiffness).eval();
-    if (column) block.stiffness = (block.stiffness * free[*column]).eval();
+    const Eigen::Matrix3d* row = free.find(block.row, block.row_turns);
+    const Eigen::Matrix3d* column = free.find(block.column, block.column_turns);
+    if (row != nullptr) block.stiffness = (*row * block.stiffness).eval();
+    if (column != nullptr) block.stiffness = (block.stiffness * *column).eval();
     joined_.push_back(block);
   }
 }

@@ -2,20 +2,10 @@
 #pragma once
 
 #include "core/statics/body_blocks.hpp"
-#include "core/statics/multigrid/block_matrix.hpp"
+#include "core/statics/node_block.hpp"
 #include "core/statics/tangent_probe.hpp"
 
 namespace contactsim {
-
-/// A part of the stiffness: by what the forces of one node resist the displacements of another.
-struct NodeBlock {
-  std::uint32_t row, column;                     ///< nodes
-  Eigen::Matrix3d stiffness;                     ///< [force/length]
-  bool row_turns = false, column_turns = false;  ///< moments, and rotations, in their place
-};
-
-/// The stiffness of springs by nodes.
-std::vector<NodeBlock> blocks_of(const std::vector<ContactSpring>& springs);
 
 /// The whole stiffness by blocks of nodes: of the mesh by differences of residuals, and of what else joins
 /// nodes, whether or not they share an element. Fixed and prescribed directions have a stiffness of their own

@@ -4,11 +4,11 @@
 #include <fmt/format.h>
 
 #include <array>
-#include <new>
 #include <regex>
 #include <utility>
 
 #include "core/base/errors.hpp"
+#include "core/base/memory_error.hpp"
 #include "io/exodus/exodus_assemblies.hpp"
 #include "io/exodus/exodus_blocks.hpp"
 #include "io/exodus/exodus_entities.hpp"
@@ -85,11 +85,8 @@ Mesh read_open_file(const NetcdfFile& file, Diagnostics& warnings) {
 }  // namespace
 
 Mesh read_mesh(const std::string& path, Diagnostics& warnings) {
-  try {
-    return read_open_file(NetcdfFile(path), warnings);
-  } catch (const std::bad_alloc&) {
-    throw FileError(path, "there is not enough memory to read it");
-  }
+  return tell_lack_of_memory("reading the mesh " + path,
+                             [&] { return read_open_file(NetcdfFile(path), warnings); });
 }
 
 }  // namespace contactsim

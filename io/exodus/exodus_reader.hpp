@@ -12,7 +12,7 @@ namespace contactsim {
 /// Everything that the mesh refers to exists afterwards: nodes, elements, sides, members of assemblies.
 /// Blocks of element types that are unknown or missing are kept (Shape::unknown) and are an error only to who
 /// uses them. `warnings` gains what the user should know, without deck locations. Throws FileError
-/// "path: block 3 (name): element 17 ...".
+/// "path: block 3 (name): element 17 ...", and MemoryError.
 /// Source: Schoof & Yarberry, EXODUS II: A Finite Element Data Model, SAND92-2137 (1994).
 Mesh read_mesh(const std::string& path, Diagnostics& warnings);
 

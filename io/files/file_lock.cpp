@@ -8,7 +8,6 @@
 
 #include <algorithm>
 #include <cerrno>
-#include <utility>
 #include <vector>
 
 #include "core/base/errors.hpp"
@@ -36,32 +35,27 @@ FileId id_of(const struct stat& file) { return {file.st_dev, file.st_ino, getpid
 }  // namespace
 
 FileLock::FileLock(const std::string& path, const std::string& way_out)
-    : descriptor_(open(path.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC)) {
+    : file_(open(path.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC)) {
   struct stat found {};
-  if (descriptor_ < 0) return;
-  const bool is_file = fstat(descriptor_, &found) == 0 && S_ISREG(found.st_mode);
+  if (!file_.is_open()) return;
+  const bool is_file = fstat(file_.number(), &found) == 0 && S_ISREG(found.st_mode);
   if (!is_file || std::ranges::count(files_held(), id_of(found)) > 0) {
-    release();
+    file_.close();
     return;
   }
-  if (flock(descriptor_, LOCK_EX | LOCK_NB) == 0) {
+  if (flock(file_.number(), LOCK_EX | LOCK_NB) == 0) {
     files_held().push_back(id_of(found));
     return;
   }
   const bool is_taken = errno == EWOULDBLOCK;
-  release();
+  file_.close();
   if (is_taken)
     throw FileError(path, "another run is writing it: its folder is already in use (" + way_out + ")");
 }
 
 FileLock::~FileLock() {
   struct stat found {};
-  if (descriptor_ >= 0 && fstat(descriptor_, &found) == 0) std::erase(files_held(), id_of(found));
-  release();
-}
-
-void FileLock::release() {
-  if (descriptor_ >= 0) ::close(std::exchange(descriptor_, -1));
+  if (file_.is_open() && fstat(file_.number(), &found) == 0) std::erase(files_held(), id_of(found));
 }
 
 }  // namespace contactsim

@@ -3,6 +3,8 @@
 
 #include <string>
 
+#include "io/files/file_descriptor.hpp"
+
 namespace contactsim {
 
 /// Keeps a file for this process as long as it lives: others that ask for the same are refused. It goes with
@@ -18,9 +20,7 @@ class FileLock {
   FileLock& operator=(const FileLock&) = delete;
 
  private:
-  void release();
-
-  int descriptor_ = -1;
+  FileDescriptor file_;
 };
 
 }  // namespace contactsim

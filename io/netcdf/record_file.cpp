@@ -33,27 +33,21 @@ std::uint64_t to_big_endian(double value) {
 
 }  // namespace
 
-RecordFile::RecordFile(std::string path) : path_(std::move(path)), layout_(read_record_layout(path_)) {
-  descriptor_ = open(path_.c_str(), O_RDWR | O_CLOEXEC);
-  if (descriptor_ < 0) fail(errno);
+RecordFile::RecordFile(std::string path)
+    : path_(std::move(path)),
+      layout_(read_record_layout(path_)),
+      file_(open(path_.c_str(), O_RDWR | O_CLOEXEC)) {
+  if (!file_.is_open()) fail(errno);
   buffer_.resize(n_buffered_values * sizeof(double));
 }
 
-RecordFile::~RecordFile() { close(); }
-
-void RecordFile::close() {
-  if (descriptor_ < 0) return;
-  ::close(descriptor_);
-  descriptor_ = -1;
-}
-
 void RecordFile::fail(int error) {
-  if (descriptor_ >= 0) {
+  if (file_.is_open()) {
     // A record that was begun would only take room.
     const std::uint64_t end = layout_.begin + layout_.n_records * layout_.record_size;
-    [[maybe_unused]] const int ignored = ftruncate(descriptor_, static_cast<off_t>(end));
+    [[maybe_unused]] const int ignored = ftruncate(file_.number(), static_cast<off_t>(end));
   }
-  close();
+  file_.close();
   throw FileError(path_, "cannot be written (" + std::generic_category().message(error) + ")");
 }
 
@@ -87,9 +81,9 @@ void RecordFile::end_record() {
 }
 
 void RecordFile::write_bytes(std::span<const char> bytes, std::uint64_t position) {
-  if (descriptor_ < 0) throw FileError(path_, "was closed when it could not be written");
+  if (!file_.is_open()) throw FileError(path_, "was closed when it could not be written");
   while (!bytes.empty()) {
-    const ssize_t n = pwrite(descriptor_, bytes.data(), bytes.size(), static_cast<off_t>(position));
+    const ssize_t n = pwrite(file_.number(), bytes.data(), bytes.size(), static_cast<off_t>(position));
     if (n < 0 && errno == EINTR) continue;
     if (n < 0) fail(errno);
     bytes = bytes.subspan(static_cast<std::size_t>(n));

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "io/files/file_descriptor.hpp"
 #include "io/netcdf/classic_layout.hpp"
 
 namespace contactsim {
@@ -23,7 +24,6 @@ class RecordFile {
  public:
   /// Opens the file; it is the one that is written even when it gets another name.
   explicit RecordFile(std::string path);
-  ~RecordFile();
   RecordFile(const RecordFile&) = delete;
   RecordFile& operator=(const RecordFile&) = delete;
 
@@ -41,11 +41,10 @@ class RecordFile {
  private:
   void write_bytes(std::span<const char> bytes, std::uint64_t position);
   [[noreturn]] void fail(int error);
-  void close();
 
   std::string path_;
   RecordLayout layout_;
-  int descriptor_ = -1;
+  FileDescriptor file_;
   std::vector<char> buffer_;
 };
 

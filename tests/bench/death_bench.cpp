@@ -73,7 +73,7 @@ void mass_death(benchmark::State& bench) {
   OwnershipRules rules(find_surface_requests(definition, region, mesh, told), mesh,
                        region.contact->subdomain);
   SurfaceTracker living(std::move(rules), faces);
-  ErodedNodes eroded_nodes(living.rules(), faces, std::vector<std::uint8_t>(mesh.n_elements(), 0));
+  ErodedNodes eroded_nodes(faces, std::vector<std::uint8_t>(mesh.n_elements(), 0));
   const std::vector<TimeSteppingBlock> blocks(1);
   ContactForce force({*region.contact, contact, model, blocks});
   State state = make_state(mesh.coordinates(), model.blocks, 0.0);
@@ -99,7 +99,7 @@ void mass_death(benchmark::State& bench) {
       state.blocks[0].life[element.value / n_lanes](element.value % n_lanes) = 0.0;
     }
     living.update_for_deaths(dead, contact.surfaces);
-    eroded_nodes.add(dead, alive);
+    eroded_nodes.add(living.rules(), dead, alive);
     force.rebuild_surfaces({state.time, state.dt, state.coordinates, state.velocity}, eroded_nodes.nodes());
     advance(model, terms, control, state);
     const double death = now() - begun;

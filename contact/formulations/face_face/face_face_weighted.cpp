@@ -6,6 +6,7 @@
 #include "contact/formulations/face_face/weighted_gaps.hpp"
 #include "contact/formulations/flush_rims.hpp"
 #include "contact/geometry/common_plane.hpp"
+#include "contact/geometry/smooth_step.hpp"
 #include "contact/search/contact_search.hpp"
 #include "contact/smoothing/smooth_overlap.hpp"
 
@@ -42,8 +43,7 @@ double weight_at(double gap, double thickness) {
 double weight_of_lean(double cosine, double facing) {
   constexpr double upright = -0.8, beginning = -0.35, least = 0.25;
   const auto share = [&](double from, double to) {
-    const double part = std::clamp((from - cosine) / (from - to), 0.0, 1.0);
-    return part * part * (3.0 - 2.0 * part);
+    return smooth_step(std::clamp((from - cosine) / (from - to), 0.0, 1.0));
   };
   return least * share(facing, beginning) + (1.0 - least) * share(beginning, upright);
 }

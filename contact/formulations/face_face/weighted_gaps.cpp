@@ -3,36 +3,31 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
+#include <optional>
 #include <utility>
 
 namespace contactsim {
 
-namespace {
-
-constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
-
-}  // namespace
-
 void WeightedGaps::clear() {
-  for (const WeightedNode& node : nodes_) first_[node.row] = none;
+  for (const WeightedNode& node : nodes_) first_[node.row] = std::nullopt;
   overlaps_.clear();
   nodes_.clear();
   next_.clear();
 }
 
 std::uint32_t WeightedGaps::number_of(PairIndex pair, SurfaceNodeIndex row) {
-  if (first_.size() <= row.value) first_.resize(std::size_t{row.value} + 1, none);
-  for (std::uint32_t i = first_[row]; i != none; i = next_[i]) {
-    if (nodes_[i].pair == pair) return i;
+  if (first_.size() <= row.value) first_.resize(std::size_t{row.value} + 1);
+  for (OptionalIndex<std::uint32_t> i = first_[row]; i; i = next_[*i]) {
+    if (nodes_[*i].pair == pair) return *i;
   }
   WeightedNode node;
   node.pair = pair;
   node.row = row;
   nodes_.push_back(node);
   next_.push_back(first_[row]);
-  first_[row] = static_cast<std::uint32_t>(nodes_.size() - 1);
-  return first_[row];
+  const auto number = static_cast<std::uint32_t>(nodes_.size() - 1);
+  first_[row] = number;
+  return number;
 }
 
 void WeightedGaps::add(const ContactMesh& contact_mesh, WeightedOverlap overlap) {

@@ -106,8 +106,8 @@ class WeightedGaps {
   IndexedVector<PairIndex, SurfaceIndex> finer_;
   std::vector<WeightedOverlap> overlaps_;
   std::vector<WeightedNode> nodes_;
-  std::vector<std::uint32_t> next_;                       // of nodes_, the next one of the same row
-  IndexedVector<SurfaceNodeIndex, std::uint32_t> first_;  // of rows, their first node
+  std::vector<OptionalIndex<std::uint32_t>> next_;  // of nodes_, the next one of the same row
+  IndexedVector<SurfaceNodeIndex, OptionalIndex<std::uint32_t>> first_;  // of rows, their last node so far
 };
 
 }  // namespace contactsim

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "contact/geometry/common_plane.hpp"
+#include "contact/geometry/smooth_step.hpp"
 
 namespace contactsim {
 
@@ -52,7 +53,7 @@ double inside_border(const ContactStepContext& context, const ContactPoint& cont
     const double distance = contact_point.normal.cross(along).normalized().dot(point - from);
     least = std::min(least, std::max(0.0, distance / width));
   }
-  return least * least * (3.0 - 2.0 * least);
+  return smooth_step(least);
 }
 
 void scale(double factor, ContactPoint& contact_point) {

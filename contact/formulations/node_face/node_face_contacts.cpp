@@ -165,7 +165,7 @@ void NodeFaceContacts::add_near_face(const ContactStepContext& context, SurfaceN
   if (!is_facing(context, node, near_face.point.normal) || !projects_inside(context, face_index, near_face))
     return;
   const bool may_hang_over =
-      near_face.is_plane || (near_face.point.edge >= 0 && rule.pair->tangential_tolerance.has_value());
+      near_face.is_plane || (near_face.point.edge && rule.pair->tangential_tolerance.has_value());
   if ((near_face.point.gap < 0.0 || context.balances) && node.radius == 0.0f && !may_hang_over &&
       is_at_flush_rim(context, row, face_index, near_face.point.normal))
     return;
@@ -184,7 +184,7 @@ bool NodeFaceContacts::comes_from_outside(const ContactStepContext& context, con
   // Beyond the edge of a face it may be outside the body: there it has to come from in front. A spring that
   // holds the node already does not end there, for its force would come and go with all of its depth.
   const bool is_beyond =
-      near_face.point.edge >= 0 && near_face.point.beyond > just_beyond * node.penalty_properties.thickness;
+      near_face.point.edge && near_face.point.beyond > just_beyond * node.penalty_properties.thickness;
   const double held = context.balances && is_beyond ? 0.0 : known_depth * depth;
   const double shallow = is_beyond ? just_beyond * node.penalty_properties.thickness
                                    : std::max(shallow_depth * node.penalty_properties.thickness,
@@ -210,12 +210,12 @@ bool NodeFaceContacts::is_facing(const ContactStepContext& context, const Surfac
 
 bool NodeFaceContacts::projects_inside(const ContactStepContext& context, FaceIndex face_index,
                                        const NearFace& near_face) const {
-  if (near_face.point.edge < 0) return true;
+  if (!near_face.point.edge) return true;
   const ContactFace& face = contact_mesh_.faces[face_index];
   const FaceBound& bound = context.kinematics.bound(face_index);
   double allowed = allowed_beyond(*context.rules[near_face.pair].pair, bound);
   // Behind the edge of a hollow there is a wedge that no face projects inside.
-  const std::size_t n = face.is_triangle() ? 3 : 4, k = static_cast<std::size_t>(near_face.point.edge);
+  const std::size_t n = face.is_triangle() ? 3 : 4, k = *near_face.point.edge;
   const ContactNodeIndex a = face.corners[k], b = face.corners[(k + 1) % n];
   for (const FaceIndex other : contact_mesh_.faces_of_node.of(a)) {
     if (other == face_index || !has_corner(contact_mesh_.faces[other], b)) continue;

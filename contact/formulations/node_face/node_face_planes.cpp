@@ -13,7 +13,7 @@ namespace {
 /// Whether a point projects inside a face.
 bool is_over(const MovingFace& face, const Eigen::Vector3d& x) {
   const auto point = project_onto_face(face.x, face.is_triangle, x);
-  return point && point->edge < 0;
+  return point && !point->edge;
 }
 
 }  // namespace

@@ -59,7 +59,7 @@ TEST_CASE("the stable step that contact asks for bears the stiffest motion of it
   // Contact with an eigenvalue far above the elements' 4: the step is its root's inverse at most.
   CHECK(stable_step <= 1.0001 / std::sqrt(eigenvalue));
   CHECK(stable_step > 0.3 / std::sqrt(eigenvalue));
-  CHECK(bodies.contact.step_share().share == Approx(1.0 - stable_step).epsilon(0.1));
+  CHECK(bodies.contact.lost_step_share() == Approx(1.0 - stable_step).epsilon(0.1));
 }
 
 TEST_CASE("what closes within two steps sets the stable step before it touches, at the start too",

@@ -40,12 +40,12 @@ struct DyingBodies : ContactBodies {
         elements(mesh),
         faces(mesh, elements),
         living(make_rules(), faces, std::vector<std::uint8_t>(mesh.n_elements(), erodes ? 1 : 0)),
-        eroded_nodes(living.rules(), faces, std::vector<std::uint8_t>(mesh.n_elements(), erodes ? 1 : 0)) {}
+        eroded_nodes(faces, std::vector<std::uint8_t>(mesh.n_elements(), erodes ? 1 : 0)) {}
 
   void kill(const std::vector<ElementIndex>& dead, bool makes_new_edges = true) {
     for (const ElementIndex element : dead) alive[element.value] = 0;
     living.update_for_deaths(dead, definition.surfaces);
-    eroded_nodes.add(dead, alive);
+    eroded_nodes.add(living.rules(), dead, alive);
     contact.rebuild_surfaces(motion(), eroded_nodes.nodes(), makes_new_edges);
   }
   std::size_t n_free_rows() const {

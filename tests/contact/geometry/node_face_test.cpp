@@ -48,7 +48,7 @@ TEST_CASE("a point over a warped face is found where it was put", "[contact][nod
     CHECK(found.gap == Approx(gap).epsilon(1e-10).margin(1e-13));
     CHECK((found.normal - normal).norm() < 1e-10);
     CHECK(found.normal.dot(face.normal()) > 0.5);
-    CHECK(found.edge == -1);
+    CHECK_FALSE(found.edge);
     CHECK(found.beyond == 0.0);
     const double slow = distance_by_sampling(face, point);
     CHECK(std::abs(found.gap) <= slow + 1e-12);
@@ -58,7 +58,7 @@ TEST_CASE("a point over a warped face is found where it was put", "[contact][nod
 
 TEST_CASE("a point beside a square is beyond the nearest edge by its distance", "[contact][node_face]") {
   const MovingFace square = make_square(0.0, 0.0, true);
-  const std::vector<std::pair<Vector3d, int>> points{
+  const std::vector<std::pair<Vector3d, std::uint32_t>> points{
       {{0.5, -0.1, 0.3}, 0}, {{1.1, 0.5, 0.3}, 1}, {{0.5, 1.1, 0.3}, 2}, {{-0.1, 0.5, 0.3}, 3}};
   for (const auto& [point, edge] : points) {
     const ClosestPoint found = project_on(square, point);
@@ -75,11 +75,11 @@ TEST_CASE("a point beside a triangle is beyond the nearest edge by its distance"
   FaceCorners x;
   x << 0, 1, 0, 0, 0, 0, 1, 1, 0, 0, 0, 0;
   const MovingFace triangle = make_face(x);
-  CHECK(project_on(triangle, {0.4, -0.1, 0.3}).edge == 0);
+  CHECK(project_on(triangle, {0.4, -0.1, 0.3}).edge == 0u);
   CHECK(project_on(triangle, {0.4, -0.1, 0.3}).beyond == Approx(0.1));
-  CHECK(project_on(triangle, {0.7, 0.5, 0.3}).edge == 1);
+  CHECK(project_on(triangle, {0.7, 0.5, 0.3}).edge == 1u);
   CHECK(project_on(triangle, {0.7, 0.5, 0.3}).beyond == Approx(0.1 * std::sqrt(2.0)));
-  CHECK(project_on(triangle, {-0.2, 0.4, -0.3}).edge == 2);
+  CHECK(project_on(triangle, {-0.2, 0.4, -0.3}).edge == 2u);
   CHECK(project_on(triangle, {-0.2, 0.4, -0.3}).beyond == Approx(0.2));
   CHECK(project_on(triangle, {-0.2, 0.4, -0.3}).gap == Approx(-0.3));
   CHECK(project_on(triangle, {1.5, -0.1, 0.0}).beyond == Approx(std::hypot(0.5, 0.1)));

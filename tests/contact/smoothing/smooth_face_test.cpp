@@ -96,7 +96,7 @@ TEST_CASE("a node has its gap to the cylinder, along the cylinder's normal", "[c
       REQUIRE(found);
       CHECK(found->gap == Approx(gap).margin(1e-9));
       CHECK(std::abs(found->normal.dot(out)) == Approx(1.0));
-      CHECK(found->edge == -1);
+      CHECK_FALSE(found->edge);
       // No moment: the point of the face below is on the line of the force.
       const Vector3d below = x * corner_weights(found->xi, found->eta, false);
       CHECK((point - below).cross(found->normal).norm() < 1e-9);
@@ -115,8 +115,8 @@ TEST_CASE("neighbours part their nodes at the edge, however deep", "[contact][sm
       const auto on_left = project_sphere(left, false, &*of_left, point, 0.0);
       const auto on_right = project_sphere(right, false, &*of_right, point, 0.0);
       REQUIRE((on_left && on_right));
-      CHECK((on_left->edge < 0) == (angle > 0.0));
-      CHECK((on_right->edge < 0) == (angle < 0.0));
+      CHECK(!on_left->edge == (angle > 0.0));
+      CHECK(!on_right->edge == (angle < 0.0));
     }
   }
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <numeric>
 
+#include "core/base/errors.hpp"
 #include "core/conditions/kinematic_constraints.hpp"
 #include "core/elements/minimum_nodal_mass.hpp"
 #include "support/catch.hpp"
@@ -170,6 +171,24 @@ TEST_CASE("bodies turn where all their nodes are named, about an axis by its dir
   turning.constrain({0.0, 1.0, 1.0, still, still, &still}, a);
   CHECK(a.col(0).isApprox(Eigen::Vector3d(0, 0, 1)));
   CHECK(a.col(1).isApprox(Eigen::Vector3d(4, 4, 1)));
+}
+
+TEST_CASE("a value that is not finite ends the run at the rigid body that it is of", "[core][conditions]") {
+  RigidScope rigid(
+      condition_block("prescribed velocity", "node set = n4 n5\ncomponent = x\nfunction = bad_at_x"));
+  const KinematicConstraints bodies = make_body_constraints(rigid.scope());
+  REQUIRE(constrained_nodes(bodies) == ConstrainedNodes{1});
+  const Eigen::Matrix3Xd x = Eigen::Matrix3Xd::Ones(3, 2), still = Eigen::Matrix3Xd::Zero(3, 2);
+  Eigen::Matrix3Xd a = still;
+  std::string said;
+  try {
+    bodies.constrain({0.5, 0.0, 1.0, x, still}, a);
+  } catch (const SolveError& error) {
+    said = error.what();
+  }
+  CHECK(said ==
+        "time 1: the function of the prescribed velocity at c.i:1:1 has no finite value for the rigid body "
+        "'b'");
 }
 
 TEST_CASE("conflicts on bodies are told, what their nodes said is not told again", "[core][conditions]") {

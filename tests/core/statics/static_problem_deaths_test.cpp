@@ -25,7 +25,7 @@ struct DyingCube {
   }
   std::vector<std::uint32_t> held() const {
     std::vector<std::uint32_t> nodes;
-    cube.problem->visit_held([&](std::uint32_t node, Eigen::Index first, const Eigen::Matrix3d& along) {
+    cube.problem->held().visit([&](std::uint32_t node, Eigen::Index first, const Eigen::Matrix3d& along) {
       CHECK(first == 0);
       if (along == Eigen::Matrix3d::Identity()) nodes.push_back(node);
     });
@@ -117,7 +117,7 @@ TEST_CASE("a lifeless node that conditions hold in part is held wholly, once", "
   cube.problem->hold_lifeless({{0}, {7}});
   cube.problem->begin_step(1.0);
   std::map<std::uint32_t, std::vector<double>> traces;
-  cube.problem->visit_held([&](std::uint32_t node, Eigen::Index, const Eigen::Matrix3d& along) {
+  cube.problem->held().visit([&](std::uint32_t node, Eigen::Index, const Eigen::Matrix3d& along) {
     traces[node].push_back(along.trace());
   });
   CHECK(traces == std::map<std::uint32_t, std::vector<double>>{{0, {3.0}}, {5, {1.0}}, {7, {3.0}}});
