@@ -60,7 +60,7 @@ Options read_options(int n, char** words) {
 /// The greatest rates so far.
 struct Limits {
   double triad[2] = {}, read[2] = {}, fused[2] = {}, unfused[2] = {};
-  double division = 0.0, store = 0.0, clock = 0.0;
+  double division = 0.0, store = 0.0, load = 0.0, clock = 0.0;
 
   /// Those that kernels are watched by.
   void measure_references(StreamArrays& arrays) {
@@ -76,13 +76,14 @@ struct Limits {
     take(unfused[1], unfused_rate(2));
     take(division, division_rate());
     take(store, store_rate());
+    take(load, load_rate());
     take(clock, clock_rate());
   }
   void print() const {
     fmt::print("limits triad {:.4g} triad_2 {:.4g} read {:.4g} read_2 {:.4g} fused {:.4g} fused_2 {:.4g}",
                triad[0], triad[1], read[0], read[1], fused[0], fused[1]);
-    fmt::print(" unfused {:.4g} unfused_2 {:.4g} division {:.4g} store {:.4g} clock {:.4g}\n", unfused[0],
-               unfused[1], division, store, clock);
+    fmt::print(" unfused {:.4g} unfused_2 {:.4g} division {:.4g} store {:.4g} load {:.4g} clock {:.4g}\n",
+               unfused[0], unfused[1], division, store, load, clock);
   }
 
  private:
@@ -97,11 +98,12 @@ struct Timing {
   double cpu = unknown, wall = unknown, wall_2 = unknown;
 };
 
-/// Seconds of a step by a clock, the mean over some 60 ms and two steps at least.
+/// Seconds of a step by a clock over some 60 ms and two steps at least: the mean of steps that differ,
+/// because something moves on between them, the least of those that do not.
 template <class Seconds>
 double time_steps(const Timing& timing, const Seconds& seconds) {
   constexpr double long_enough = 0.06;
-  double spent = 0.0;
+  double spent = 0.0, least = std::numeric_limits<double>::infinity();
   int n = 0;
   for (; n < 2 || spent < long_enough; ++n) {
     if (timing.kernel.prepare) timing.kernel.prepare();
@@ -110,9 +112,11 @@ double time_steps(const Timing& timing, const Seconds& seconds) {
     const double end = begin + (seconds() - begin) * (1.0 + timing.slower);
     while (timing.slower > 0.0 && seconds() < end) {
     }
-    spent += seconds() - begin;
+    const double step = seconds() - begin;
+    least = std::min(least, step);
+    spent += step;
   }
-  return spent / n;
+  return timing.kernel.prepare ? spent / n : least;
 }
 
 void take(double& least, double seconds) { least = std::fmin(least, seconds); }
@@ -151,7 +155,7 @@ void print(const Timing& timing, bool operations) {
              timing.row->reference == Reference::flops ? "unfused" : "triad", timing.cpu / n,
              timing.kernel.n_bytes / n);
   fmt::print(" wall {:.5g} wall_2 {:.5g}", timing.wall / n, timing.wall_2 / n);
-  if (operations) print_operations(*timing.row);
+  if (operations && timing.row->counted_size > 0) print_operations(*timing.row);
   fmt::print("\n");
   std::fflush(stdout);
 }

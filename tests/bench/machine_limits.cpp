@@ -122,6 +122,28 @@ double store_rate() {
   });
 }
 
+double load_rate() {
+  constexpr std::size_t n_vectors = 128, n_passes = 40'000;
+  std::array<Eight, n_vectors> from{};
+  return rate(64.0 * n_vectors * n_passes, 1, [&] {
+    Eight a{}, b{}, c{}, d{}, e{}, f{}, g{}, h{};  // an array would lie in the cache itself
+    for (std::size_t pass = 0; pass < n_passes; ++pass) {
+      for (const Eight* next = from.data(); next != from.data() + n_vectors; next += 8) {
+        a += next[0];
+        b += next[1];
+        c += next[2];
+        d += next[3];
+        e += next[4];
+        f += next[5];
+        g += next[6];
+        h += next[7];
+      }
+      benchmark::DoNotOptimize(from);
+    }
+    benchmark::DoNotOptimize(a + b + c + d + e + f + g + h);
+  });
+}
+
 double clock_rate() {
   constexpr std::size_t n_additions = 10'000'000;
   return rate(n_additions, 1, [] {

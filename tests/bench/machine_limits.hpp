@@ -36,6 +36,9 @@ double division_rate();
 /// Copies of vectors of eight doubles within the first cache, one thread: as many bytes loaded as stored.
 ///   returns  bytes stored [bytes/s]
 double store_rate();
+/// Sums of vectors of eight doubles in the first cache, one thread.
+///   returns  bytes loaded [bytes/s]
+double load_rate();
 
 /// Clock of the processor, by a chain of additions [1/s].
 double clock_rate();
