@@ -4,37 +4,24 @@
 #include <benchmark/benchmark.h>
 #include <omp.h>
 
-#include "bench_meshes.hpp"
-#include "core/dynamics/internal_force.hpp"
-#include "core/elements/element_table.hpp"
-#include "core/materials/elastic.hpp"
-#include "core/materials/johnson_cook.hpp"
 #include "core/materials/linear_hardening.hpp"
 #include "core/materials/mooney_rivlin.hpp"
 #include "core/materials/multilinear_hardening.hpp"
 #include "core/materials/neo_hookean.hpp"
 #include "core/materials/orthotropic.hpp"
-#include "core/materials/power_hardening.hpp"
 #include "core/materials/tearing.hpp"
+#include "element_scenes.hpp"
 
 namespace contactsim::bench {
 
 namespace {
 
-constexpr ElasticModuli steel{160e9, 80e9};
-
-MaterialLaw elastic() { return ElasticLaw{steel}; }
 MaterialLaw neo_hookean() { return NeoHookeanLaw{steel}; }
 MaterialLaw mooney_rivlin() { return MooneyRivlinLaw{steel, 15e9}; }
 MaterialLaw orthotropic() {
   return make_orthotropic_law({{}, 300e9, 200e9, 100e9, 0.3, 0.2, 0.4, 80e9, 60e9, 100e9});
 }
-MaterialLaw elastic_plastic() { return PlasticLaw<LinearHardening>{steel, {200e6, 1e7, 0.0}}; }
 MaterialLaw kinematic() { return PlasticLaw<LinearHardening>{steel, {200e6, 0.0, 1e9}}; }
-MaterialLaw ep_power_hard() { return PlasticLaw<PowerHardening>{steel, {200e6, 500e6, 0.3, 0.001}}; }
-MaterialLaw johnson_cook() {
-  return PlasticLaw<JohnsonCookHardening>{steel, {{200e6, 500e6, 0.3}, 0.015, 1.0}};
-}
 /// As steep as a measured curve at first, of ten points.
 MultilinearHardening bends() {
   std::vector<FunctionPoint> points;
@@ -44,28 +31,18 @@ MultilinearHardening bends() {
 MaterialLaw multilinear_ep() { return PlasticLaw<MultilinearHardening>{steel, bends()}; }
 MaterialLaw ml_ep_fail() { return TearingLaw{{steel, bends()}, 1e9, 0.1}; }
 
-/// Advances a cube of one element type and law. Argument: threads.
-void advance(benchmark::State& bench, const Mesh& mesh, const char* formulation, const MaterialLaw& law) {
+constexpr auto elastic = elastic_law, elastic_plastic = elastic_plastic_law;
+constexpr auto ep_power_hard = ep_power_hard_law, johnson_cook = johnson_cook_law;
+
+/// Advances a mesh of one element type and law. Argument: threads.
+void advance(benchmark::State& bench, Mesh mesh, const char* formulation, const MaterialLaw& law) {
   omp_set_num_threads(static_cast<int>(bench.range(0)));
-  Model model;
-  model.mesh = &mesh;
-  const ElementFormulation& row = *find_solid_element(mesh.blocks()[0].shape, formulation);
-  model.blocks.push_back(make_solid_block(mesh, 0, row, ElementProperties{law, 7800.0}));
-  State state = make_state(mesh.coordinates(), model.blocks, 0.0);
-  InternalForce internal(model, state);
-  Eigen::Matrix3Xd x = mesh.coordinates(), v = x, forces(3, x.cols());
-  // A shear wave to and fro of strains near 1 %, which takes the plastic laws over their yield stress in
-  // every step, even when they have hardened for a while.
-  for (Eigen::Index i = 0; i < x.cols(); ++i)
-    v.col(i) = Eigen::Vector3d(std::sin(0.3 * x(1, i)), 0.0, 0.0) * 2500.0;
-  constexpr double dt = 2e-5;
+  SolidScene scene(std::move(mesh), formulation, law);
   for (auto _ : bench) {
-    x += dt * v;
-    const ForceReport report = internal.set_forces({0.0, dt, x, v}, forces);
-    if (!(report.stable_step > dt)) bench.SkipWithError("the step is not stable");
-    v = -v;
+    scene.step();
+    if (!(scene.stable_step() > scene.dt)) bench.SkipWithError("the step is not stable");
   }
-  bench.SetItemsProcessed(static_cast<std::int64_t>(bench.iterations()) * mesh.n_elements());
+  bench.SetItemsProcessed(static_cast<std::int64_t>(bench.iterations()) * scene.mesh().n_elements());
 }
 
 /// 64 x 64 x 64 cells.

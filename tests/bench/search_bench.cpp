@@ -5,13 +5,11 @@
 #include <benchmark/benchmark.h>
 #include <omp.h>
 
-#include <algorithm>
-#include <cmath>
 #include <string>
 #include <vector>
 
-#include "bench_meshes.hpp"
 #include "contact/search/broad_phase.hpp"
+#include "search_scene.hpp"
 #include "support/fcl_boxes.hpp"
 
 namespace contactsim::bench {
@@ -20,70 +18,27 @@ namespace {
 
 using test::FclBoxes;
 
-constexpr double turn_per_search = 1e-3;
-
-void add_point(const Eigen::Vector3d& point, Box& box) {
-  for (std::size_t axis = 0; axis < 3; ++axis) {
-    box.lo[axis] = std::min(box.lo[axis], point[static_cast<Eigen::Index>(axis)]);
-    box.hi[axis] = std::max(box.hi[axis], point[static_cast<Eigen::Index>(axis)]);
-  }
-}
-
-Box box_around(const Eigen::Vector3d& point) {
-  return {{point[0], point[1], point[2]}, {point[0], point[1], point[2]}};
-}
-
-/// Boxes of half a width of 0.2 around the nodes.
-std::vector<Box> node_boxes(const QuadSurface& surface) {
-  std::vector<Box> boxes;
-  for (const auto& point : surface.positions.colwise()) {
-    boxes.push_back(box_around(point - Eigen::Vector3d::Constant(0.2)));
-    add_point(point + Eigen::Vector3d::Constant(0.2), boxes.back());
-  }
-  return boxes;
-}
-
-std::vector<Box> face_boxes(const QuadSurface& surface) {
-  std::vector<Box> boxes;
-  for (const auto& quad : surface.quads) {
-    boxes.push_back(box_around(surface.positions.col(quad[0])));
-    for (const std::uint32_t node : quad) add_point(surface.positions.col(node), boxes.back());
-  }
-  return boxes;
-}
-
-/// The inner nodes and the outer faces, whose sphere is turned before every search; making the boxes is not
-/// timed.
+/// The scene, which moves on before every search; making the boxes is not timed.
 class Spheres {
  public:
-  explicit Spheres(benchmark::State& bench)
-      : bench_(bench),
-        pair_(make_sphere_pair(static_cast<std::uint32_t>(std::lround(std::sqrt(bench.range(0) / 6.0))))),
-        nodes_(node_boxes(pair_.inner)) {
-    move();
-  }
+  explicit Spheres(benchmark::State& bench) : bench_(bench), scene_(bench.range(0)) {}
 
-  void move() {
-    turn(pair_.outer, turn_per_search);
-    faces_ = face_boxes(pair_.outer);
-  }
   void next() {
     bench_.PauseTiming();
-    move();
+    scene_.move();
     bench_.ResumeTiming();
   }
   void report(std::size_t n_pairs) {
-    const auto n_faces = static_cast<std::int64_t>(faces_.size());
+    const auto n_faces = static_cast<std::int64_t>(faces().size());
     bench_.SetLabel(std::to_string(n_faces) + " faces, " + std::to_string(n_pairs) + " pairs");
     bench_.SetItemsProcessed(bench_.iterations() * n_faces);
   }
-  const std::vector<Box>& nodes() const { return nodes_; }
-  const std::vector<Box>& faces() const { return faces_; }
+  const std::vector<Box>& nodes() const { return scene_.nodes(); }
+  const std::vector<Box>& faces() const { return scene_.faces(); }
 
  private:
   benchmark::State& bench_;
-  SpherePair pair_;
-  std::vector<Box> nodes_, faces_;
+  SearchScene scene_;
 };
 
 /// Arguments: faces a sphere, threads.

@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "element_scenes.hpp"
+
+#include <cmath>
+
+#include "core/elements/element_table.hpp"
+#include "core/elements/elements.hpp"
+#include "core/materials/elastic.hpp"
+#include "core/materials/johnson_cook.hpp"
+#include "core/materials/linear_hardening.hpp"
+#include "core/materials/power_hardening.hpp"
+#include "kernel.hpp"
+
+namespace contactsim::bench {
+
+MaterialLaw elastic_law() { return ElasticLaw{steel}; }
+MaterialLaw elastic_plastic_law() { return PlasticLaw<LinearHardening>{steel, {200e6, 1e7, 0.0}}; }
+MaterialLaw ep_power_hard_law() { return PlasticLaw<PowerHardening>{steel, {200e6, 500e6, 0.3, 0.001}}; }
+MaterialLaw johnson_cook_law() {
+  return PlasticLaw<JohnsonCookHardening>{steel, {{200e6, 500e6, 0.3}, 0.015, 1.0}};
+}
+
+SolidScene::SolidScene(Mesh mesh, const char* formulation, const MaterialLaw& law) : mesh_(std::move(mesh)) {
+  model_.mesh = &mesh_;
+  const ElementFormulation& row = *find_solid_element(mesh_.blocks()[0].shape, formulation);
+  model_.blocks.push_back(make_solid_block(mesh_, 0, row, ElementProperties{law, 7800.0}));
+  state_ = make_state(mesh_.coordinates(), model_.blocks, 0.0);
+  internal_.emplace(model_, state_);
+  x_ = mesh_.coordinates();
+  v_.resizeLike(x_);
+  forces_.resizeLike(x_);
+  for (Eigen::Index i = 0; i < x_.cols(); ++i)
+    v_.col(i) = Eigen::Vector3d(std::sin(0.3 * x_(1, i)), 0.0, 0.0) * 2500.0;
+}
+
+void SolidScene::step() {
+  x_ += dt * v_;
+  stable_step_ = internal_->set_forces({0.0, dt, x_, v_}, forces_).stable_step;
+  v_ = -v_;
+}
+
+double SolidScene::n_bytes() const {
+  // Moved here: positions and velocities are read and written.
+  return bytes_of_forces(model_, state_) + 4.0 * sizeof(double) * static_cast<double>(x_.size());
+}
+
+ShellScene::ShellScene(std::uint32_t n, const MaterialLaw& law, std::int64_t n_layers)
+    : mesh_(make_shell_sheet(n)) {
+  model_.mesh = &mesh_;
+  ShellSettings settings;
+  settings.layers = make_layers("gauss", n_layers);
+  const std::vector<double> thickness(mesh_.n_elements(), 0.1);
+  model_.blocks.push_back(
+      make_shell_block(mesh_, 0, shell4_bt_shell, ElementProperties{law, 7800.0}, settings, thickness));
+  state_ = make_state(mesh_.coordinates(), model_.blocks, 0.0);
+  internal_.emplace(model_, state_);
+  x_ = mesh_.coordinates();
+  for (auto* values : {&v_, &w_, &forces_, &moments_}) values->resizeLike(x_);
+  for (Eigen::Index i = 0; i < x_.cols(); ++i) {
+    v_.col(i) = Eigen::Vector3d(std::sin(0.3 * x_(1, i)), 0.0, 0.1 * std::sin(0.2 * x_(0, i))) * 2500.0;
+    w_.col(i) = Eigen::Vector3d(std::sin(0.3 * x_(1, i)), std::cos(0.2 * x_(0, i)), 0.0) * 100.0;
+  }
+}
+
+void ShellScene::step() {
+  x_ += dt * v_;
+  Motion motion{0.0, dt, x_, v_};
+  motion.angular_velocity = &w_;
+  stable_step_ = internal_->set_forces(motion, forces_).stable_step;
+  internal_->set_moments(motion, moments_);
+  v_ = -v_;
+  w_ = -w_;
+}
+
+double ShellScene::n_bytes() const {
+  return bytes_of_forces(model_, state_) + 6.0 * sizeof(double) * static_cast<double>(x_.size());
+}
+
+TimeStepControl endless() { return {{TimePeriod{"all", 0.0, {}}}, 1e30}; }
+
+WholeStepScene::WholeStepScene(std::uint32_t n) : mesh_(make_hex_cube(n)) {
+  model_.mesh = &mesh_;
+  model_.blocks.push_back(
+      make_solid_block(mesh_, 0, hex8_mean_quadrature, ElementProperties{elastic_law(), 7800.0}));
+  model_.mass = lumped_mass(mesh_, model_.blocks);
+  state_ = make_state(mesh_.coordinates(), model_.blocks, 0.0);
+  for (Eigen::Index i = 0; i < state_.velocity.cols(); ++i)
+    state_.velocity(0, i) = 10.0 * std::sin(0.3 * mesh_.coordinates()(1, i));
+  internal_.emplace(model_, state_);
+  start(model_, {*internal_, none_}, control_, state_);
+}
+
+void WholeStepScene::step() { advance(model_, {*internal_, none_}, control_, state_); }
+
+double WholeStepScene::n_bytes() const {
+  return bytes_of_forces(model_, state_) + bytes_of_integration(state_);
+}
+
+}  // namespace contactsim::bench

@@ -1,0 +1,9 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Compiled with -ffp-contract=fast.
+#include "multiply_adds.hpp"
+
+namespace contactsim::bench {
+
+double multiply_adds_fused(std::size_t n_rounds) { return run_multiply_adds(n_rounds); }
+
+}  // namespace contactsim::bench
