@@ -132,8 +132,8 @@ double ReachMarker::height_over(const ContactFace& face, const Eigen::Vector3d& 
 /// where it is in front of the next face.
 bool ReachMarker::is_behind(const ContactFace& face, const Eigen::Vector3d& x) const {
   const auto point = project_onto_face(corners(face), face.is_triangle(), x);
-  if (!point || point->edge < 0) return true;
-  const auto edge = static_cast<std::size_t>(point->edge), n = std::size_t{face.is_triangle() ? 3u : 4u};
+  if (!point || !point->edge) return true;
+  const std::size_t edge = *point->edge, n = face.is_triangle() ? 3 : 4;
   const ContactNodeIndex a = face.corners[edge], b = face.corners[(edge + 1) % n];
   return std::ranges::none_of(contact_mesh_.faces_of_node.of(a), [&](FaceIndex index) {
     const ContactFace& next = contact_mesh_.faces[index];
