@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Tells whether kernels have become slower: their times, over what the same machine gives at best in the same run.
 
-    check_ratios.py PROGRAM [--store] [--limit 15] [--rounds 12] [--slow NAME PERCENT]
+    check_ratios.py PROGRAM [--store] [--limit 15] [--rounds 8] [--slow NAME PERCENT]
 
 PROGRAM is contactsim_kernels. The ratio of a kernel is how many multiply-adds apart (`unfused`), or bytes of STREAM's triad
 (`triad`), the machine could have done on one core in the time of an item. ratios.txt has those that were found last;
@@ -52,7 +52,7 @@ def main():
     parser.add_argument("program")
     parser.add_argument("--store", action="store_true")
     parser.add_argument("--limit", type=float, default=15)
-    parser.add_argument("--rounds", type=int, default=12)
+    parser.add_argument("--rounds", type=int, default=8)
     parser.add_argument("--slow", nargs=2, metavar=("NAME", "PERCENT"))
     arguments = parser.parse_args()
     found = measure(arguments, WATCHED)

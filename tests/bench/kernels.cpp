@@ -10,8 +10,10 @@
 #include <omp.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdlib>
 #include <limits>
+#include <numeric>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -90,44 +92,69 @@ struct Limits {
   static void take(double& greatest, double rate) { greatest = std::max(greatest, rate); }
 };
 
-/// A kernel with its least times per step.
+/// The least times of steps: of each of some that differ, because something moves on between them.
+class LeastTimes {
+ public:
+  void take(std::size_t step, double seconds) {
+    if (steps_.size() <= step) steps_.resize(step + 1, std::numeric_limits<double>::infinity());
+    steps_[step] = std::min(steps_[step], seconds);
+  }
+  double mean() const {
+    if (steps_.empty()) return unknown;
+    return std::accumulate(steps_.begin(), steps_.end(), 0.0) / static_cast<double>(steps_.size());
+  }
+
+ private:
+  std::vector<double> steps_;
+};
+
 struct Timing {
   const KernelRow* row;
   Kernel kernel;
   double slower = 0.0;
-  double cpu = unknown, wall = unknown, wall_2 = unknown;
+  LeastTimes cpu = {}, wall = {}, wall_2 = {};
 };
 
-/// Seconds of a step by a clock over some 60 ms and two steps at least: the mean of steps that differ,
-/// because something moves on between them, the least of those that do not.
 template <class Seconds>
-double time_steps(const Timing& timing, const Seconds& seconds) {
-  constexpr double long_enough = 0.06;
-  double spent = 0.0, least = std::numeric_limits<double>::infinity();
-  int n = 0;
-  for (; n < 2 || spent < long_enough; ++n) {
-    if (timing.kernel.prepare) timing.kernel.prepare();
-    const double begin = seconds();
-    timing.kernel.step();
-    const double end = begin + (seconds() - begin) * (1.0 + timing.slower);
-    while (timing.slower > 0.0 && seconds() < end) {
-    }
-    const double step = seconds() - begin;
-    least = std::min(least, step);
-    spent += step;
+double time_step(const Timing& timing, const Seconds& seconds) {
+  const double begin = seconds();
+  timing.kernel.step();
+  const double end = begin + (seconds() - begin) * (1.0 + timing.slower);
+  while (timing.slower > 0.0 && seconds() < end) {
   }
-  return timing.kernel.prepare ? spent / n : least;
+  return seconds() - begin;
 }
 
-void take(double& least, double seconds) { least = std::fmin(least, seconds); }
+/// Times steps by a clock: those from a fresh start on of what moves, else the same for some 60 ms, twice at
+/// least.
+template <class Seconds>
+void time_steps(Timing& timing, const Seconds& seconds, LeastTimes& times) {
+  constexpr double long_enough = 0.06;
+  constexpr std::size_t n_first = 2, n_steps = 20;  // contact searches at the start and every 20
+  if (timing.kernel.prepare) {
+    timing.kernel = timing.row->make(timing.row->size);
+    for (std::size_t i = 0; i < n_first + n_steps; ++i) {
+      timing.kernel.prepare();
+      const double step = time_step(timing, seconds);
+      if (i >= n_first) times.take(i - n_first, step);
+    }
+    return;
+  }
+  double spent = 0.0;
+  for (int n = 0; n < 2 || spent < long_enough; ++n) {
+    const double step = time_step(timing, seconds);
+    times.take(0, step);
+    spent += step;
+  }
+}
 
 void time_round(bool two_threads, Timing& timing) {
   omp_set_num_threads(1);
-  take(timing.cpu, time_steps(timing, thread_seconds));
+  time_steps(timing, thread_seconds, timing.cpu);
   if (!two_threads) return;
-  take(timing.wall, time_steps(timing, wall_seconds));
+  time_steps(timing, wall_seconds, timing.wall);
   omp_set_num_threads(2);
-  take(timing.wall_2, time_steps(timing, wall_seconds));
+  time_steps(timing, wall_seconds, timing.wall_2);
   omp_set_num_threads(1);
 }
 
@@ -152,9 +179,9 @@ void print_operations(const KernelRow& row) {
 void print(const Timing& timing, bool operations) {
   const double n = timing.kernel.n_items;
   fmt::print("{} item {} reference {} seconds {:.5g} bytes {:.5g}", timing.row->name, timing.row->item,
-             timing.row->reference == Reference::flops ? "unfused" : "triad", timing.cpu / n,
+             timing.row->reference == Reference::flops ? "unfused" : "triad", timing.cpu.mean() / n,
              timing.kernel.n_bytes / n);
-  fmt::print(" wall {:.5g} wall_2 {:.5g}", timing.wall / n, timing.wall_2 / n);
+  fmt::print(" wall {:.5g} wall_2 {:.5g}", timing.wall.mean() / n, timing.wall_2.mean() / n);
   if (operations && timing.row->counted_size > 0) print_operations(*timing.row);
   fmt::print("\n");
   std::fflush(stdout);
@@ -169,7 +196,7 @@ void print_impact(std::string_view name, PairSettings settings, int n_rounds) {
     const double begin = wall_seconds();
     for (int i = 0; i < n_steps; ++i) scene.step();
     const double contact = scene.contact_seconds();
-    take(least, contact / (wall_seconds() - begin - contact));
+    least = std::fmin(least, contact / (wall_seconds() - begin - contact));
   }
   fmt::print("{} share {:.4g}\n", name, least);
 }
@@ -182,7 +209,7 @@ std::vector<Timing> make_timings(const Options& options) {
           std::find(options.names.begin(), options.names.end(), row.name) != options.names.end();
       if (!options.names.empty() && !is_asked) continue;
       const double slower = row.name == options.slow_kernel ? options.slower : 0.0;
-      timings.push_back({&row, row.make(row.size), slower});
+      timings.push_back({&row, row.make(row.size), slower, {}, {}, {}});
     }
   }
   return timings;
