@@ -13,15 +13,15 @@ namespace {
 
 const Vector3d shape_origin(0.3, -0.2, 0.5), shape_axis = Vector3d(1, 2, -2) / 3.0;
 
-RoundShape shape_of(RoundShape::Kind kind) { return {kind, shape_origin, shape_axis, 2.0}; }
+RoundShape leaning_shape(RoundShape::Kind kind) { return {kind, shape_origin, shape_axis, 2.0}; }
 
 }  // namespace
 
 TEST_CASE("the radius of a point is its distance from the middle of the shape", "[contact][round_shape]") {
   const Vector3d across = shape_axis.unitOrthogonal();
-  const RoundShape cylinder = shape_of(RoundShape::Kind::circumferential),
-                   sphere = shape_of(RoundShape::Kind::spherical),
-                   torus = shape_of(RoundShape::Kind::toroidal);
+  const RoundShape cylinder = leaning_shape(RoundShape::Kind::circumferential),
+                   sphere = leaning_shape(RoundShape::Kind::spherical),
+                   torus = leaning_shape(RoundShape::Kind::toroidal);
   const Vector3d x = shape_origin + 3.0 * across + 4.0 * shape_axis;
   CHECK(cylinder.radius_of(x) == Approx(3.0));
   CHECK(cylinder.way_to(x).isApprox(3.0 * across));
@@ -37,13 +37,13 @@ TEST_CASE("on the axis a way has no direction and no trouble", "[contact][round_
   const Vector3d x = shape_origin;
   for (const auto kind :
        {RoundShape::Kind::circumferential, RoundShape::Kind::spherical, RoundShape::Kind::toroidal})
-    CHECK(shape_of(kind).way_to(x).allFinite());
+    CHECK(leaning_shape(kind).way_to(x).allFinite());
 }
 
 TEST_CASE("ways along a face have the derivatives of their differences", "[contact][round_shape]") {
   const auto kind =
       GENERATE(RoundShape::Kind::circumferential, RoundShape::Kind::spherical, RoundShape::Kind::toroidal);
-  const RoundShape shape = shape_of(kind);
+  const RoundShape shape = leaning_shape(kind);
   const auto place = [](double xi, double eta) {
     return Vector3d(3.0 + xi - 0.2 * eta * eta, 1.0 + 0.3 * xi * xi + eta, 0.2 * xi * eta);
   };
