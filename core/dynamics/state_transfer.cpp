@@ -89,7 +89,8 @@ std::vector<std::uint8_t> find_taken_nodes(const StateTransfer& transfer, const 
 /// Finds the bodies of the other model that go on as bodies of this one: those of the same nodes.
 void find_bodies(const ConditionScope& scope, const DeckLocation& location, const Model& earlier,
                  const Model& model, StateTransfer& transfer) {
-  const auto is_node_taken = [&](NodeIndex node) { return transfer.takes_node[node.value] != 0; };
+  const std::vector<std::uint8_t> is_taken = find_taken_nodes(transfer, model);
+  const auto is_node_taken = [&](NodeIndex node) { return is_taken[node.value] != 0; };
   const std::vector<RigidBody>& others = earlier.rigid.bodies;
   transfer.bodies.resize(model.rigid.bodies.size());
   for (std::size_t i = 0; i < transfer.bodies.size(); ++i) {
@@ -177,7 +178,6 @@ StateTransfer find_state_transfer(const ConditionScope& scope, std::span<const P
     }
     transfer.sources[i] = static_cast<std::size_t>(source - earlier.blocks.begin());
   }
-  transfer.takes_node = find_taken_nodes(transfer, model);
   find_bodies(scope, location, earlier, model, transfer);
   return transfer;
 }
@@ -195,7 +195,7 @@ void keep_drilling(const StateTransfer& transfer, const Model& earlier, Model& m
 
 void take_over(const StateTransfer& transfer, const Model& earlier, const State& from, const Model& model,
                State& state) {
-  const std::vector<std::uint8_t>& is_taken = transfer.takes_node;
+  const std::vector<std::uint8_t> is_taken = find_taken_nodes(transfer, model);
   for (std::size_t i = 0; i < model.blocks.size(); ++i) {
     if (!transfer.sources[i]) continue;
     const ModelBlock& block = model.blocks[i];

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <cstddef>
-#include <cstdint>
 #include <optional>
 #include <span>
 #include <vector>
@@ -21,8 +20,6 @@ struct StateTransfer {
   bool takes_velocities = true;  ///< else nodes start with those of the initial conditions
   /// [n_bodies] of each rigid body, its position in the other model; absent: it starts from the mesh
   std::vector<std::optional<std::size_t>> bodies = {};
-  std::vector<std::uint8_t> takes_node =
-      {};  ///< [n_nodes] 1 of those of blocks that do not start from the mesh
 
   /// Whether no block starts from the mesh.
   bool is_whole() const;
