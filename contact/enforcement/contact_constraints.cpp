@@ -213,10 +213,15 @@ ConstraintPass ContactConstraints::push_rows(const FindForce& find_force) {
       carriers_.push(group.terms, weights_[i], rows_[i].ahead);
     });
   }
-  const ConstraintPass sums = sum_rows<ConstraintPass>(n_threads, find_force);
+  // By themselves, so that what carriers take fits into a cache.
+  pushing_.resize(rows_.size());
+  const ConstraintPass sums =
+      sum_rows<ConstraintPass>(n_threads, [&](const Group& group, std::uint32_t i, ConstraintPass& of_chunk) {
+        find_force(group, i, of_chunk);
+        pushing_[i] = rows_[i].ahead;
+      });
   parallel_for(pushes_.n_carriers(), n_threads, [&](std::size_t carrier) {
-    for (const PushLists::Push& push : pushes_.of(carrier))
-      carriers_.push(static_cast<std::uint32_t>(carrier), push, rows_[push.row].ahead);
+    carriers_.push(static_cast<std::uint32_t>(carrier), pushes_.of(carrier), pushing_);
   });
   return sums;
 }

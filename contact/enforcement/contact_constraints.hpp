@@ -173,6 +173,7 @@ class ContactConstraints {
   std::vector<Row> rows_;
   std::vector<Weights> weights_;                                      // [n_rows]
   PushLists pushes_;                                                  // of several threads
+  std::vector<NodeVector> pushing_;                                   // [n_rows] by which rows push then
   std::vector<std::pair<const Group*, std::uint32_t>> light_points_;  // with rows, of light carriers
   std::vector<Grip> grips_;
   ContactHistory history_;

@@ -83,6 +83,8 @@ class NodeMobility {
   void push_plain(std::uint32_t carrier, const NodeVector& force) {
     next_.changes[carrier] += carriers_[carrier].mobility * force;
   }
+  /// The change of velocity by what has pushed in the pass that runs [length/time].
+  NodeVector& pushed(std::uint32_t carrier) { return next_.changes[carrier]; }
 
  private:
   /// A body that turns, or that conditions hold along some directions.

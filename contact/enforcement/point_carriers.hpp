@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "contact/enforcement/constraint_pass.hpp"
@@ -68,8 +69,10 @@ class PointCarriers {
   /// Calls take(carrier, push) for each carrier of a row that such a force pushes.
   template <class Take>
   void visit_pushes(const Terms& terms, const Weights& weights, std::uint32_t row, const Take& take) const;
-  /// Pushes one of them.
-  void push(std::uint32_t carrier, const PushLists::Push& push, const NodeVector& force);
+  /// Pushes one of them by all its rows.
+  ///   forces  [n_rows]
+  void push(std::uint32_t carrier, std::span<const PushLists::Push> pushes,
+            std::span<const NodeVector> forces);
 
  private:
   NodeMobility& mobility_;
@@ -108,14 +111,22 @@ void PointCarriers::visit_pushes(const Terms& terms, const Weights& weights, std
   }
 }
 
-inline void PointCarriers::push(std::uint32_t carrier, const PushLists::Push& push, const NodeVector& force) {
-  if (force.isZero(0.0)) return;
-  if (!push.arm) {
-    mobility_.push_plain(carrier, push.weight * force);
-    return;
+inline void PointCarriers::push(std::uint32_t carrier, std::span<const PushLists::Push> pushes,
+                                std::span<const NodeVector> forces) {
+  const double mobility = mobility_.translation_bound(carrier);
+  NodeVector pushed = mobility_.pushed(carrier);
+  for (const PushLists::Push& push : pushes) {
+    const NodeVector& force = forces[push.row];
+    if (!push.arm) {
+      pushed += mobility * (push.weight * force);
+    } else if (!force.isZero(0.0)) {
+      mobility_.pushed(carrier) = pushed;
+      const Eigen::Vector3d whole = force.head<3>();
+      mobility_.push(carrier, push.weight * whole, arms_[*push.arm].cross(whole));
+      pushed = mobility_.pushed(carrier);
+    }
   }
-  const Eigen::Vector3d whole = force.head<3>();
-  mobility_.push(carrier, push.weight * whole, arms_[*push.arm].cross(whole));
+  mobility_.pushed(carrier) = pushed;
 }
 
 }  // namespace contactsim
