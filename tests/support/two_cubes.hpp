@@ -56,7 +56,7 @@ struct TwoCubes {
     ContactPoint point;
     point.first.nodes.fill({8});
     point.first.weights = Eigen::Vector4d::UnitX();
-    point.second.nodes = {4, 5, 7, 6};
+    point.second.nodes = {{{4}, {5}, {7}, {6}}};
     point.second.weights.setConstant(0.25);
     point.normal = Eigen::Vector3d::UnitZ();
     point.area = 1.0;

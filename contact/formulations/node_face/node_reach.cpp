@@ -102,7 +102,8 @@ std::uint32_t NodeReach::find(Faces& faces) const {
     if (comes_from_outside_) {
       const FloatLanes deepest = more * (largest(FloatLanes{} + shallow_, flush) + soonest * dt_);
       const TruthLanes is_flat = (warp <= nearly_flat * radius) & (lean == 0.0f);
-      faces.below_ = is_flat & (deepest < faces.below_) ? deepest : faces.below_;
+      const TruthLanes is_less = is_flat & (deepest < faces.below_);
+      faces.below_ = is_less ? deepest : faces.below_;
     }
     faces.below_ += std::max(0.0f, -offset) + rounding_;
   }
