@@ -81,8 +81,7 @@ void reorder(const Order& order, std::size_t n_numbers, std::vector<T>& items) {
   items = std::move(reordered);
 }
 
-/// Of all elements of the mesh.
-Order reorder_elements(MeshParts& parts) {
+void reorder_elements(MeshParts& parts) {
   Order order;
   for (ElementBlock& block : parts.blocks) {
     const Order of_block = order_elements(block, parts.coordinates);
@@ -91,11 +90,11 @@ Order reorder_elements(MeshParts& parts) {
     for (const std::uint32_t element : of_block) order.push_back(block.first_element.value + element);
   }
   reorder(order, 1, parts.element_ids);
+  reorder(order, 1, parts.element_places);
   const Order now = inverse(order);
   for (SideSet& set : parts.side_sets) {
     for (ElementSide& side : set.sides) side = ElementSide({now[side.element().value]}, side.side());
   }
-  return order;
 }
 
 /// Nodes as elements use them first.
@@ -114,19 +113,19 @@ Order order_nodes(const MeshParts& parts) {
   return order;
 }
 
-Order reorder_nodes(MeshParts& parts) {
+void reorder_nodes(MeshParts& parts) {
   const Order order = order_nodes(parts), now = inverse(order);
   Eigen::Matrix3Xd coordinates(3, parts.coordinates.cols());
   for (std::uint32_t i = 0; i < order.size(); ++i) coordinates.col(i) = parts.coordinates.col(order[i]);
   parts.coordinates = std::move(coordinates);
   reorder(order, 1, parts.node_ids);
+  reorder(order, 1, parts.node_places);
   for (ElementBlock& block : parts.blocks) {
     for (NodeIndex& node : block.nodes) node.value = now[node.value];
   }
   for (NodeSet& set : parts.node_sets) {
     for (NodeIndex& node : set.nodes) node.value = now[node.value];
   }
-  return order;
 }
 
 }  // namespace
@@ -158,15 +157,8 @@ std::uint64_t hilbert_place(std::array<std::uint32_t, 3> cell) {
 
 Mesh renumber_mesh(const Mesh& mesh) {
   MeshParts parts = parts_of(mesh);
-  const Order elements = reorder_elements(parts), nodes = reorder_nodes(parts);
-  const auto places = [](const Order& order, const auto& place_of) {
-    Order found;
-    for (const std::uint32_t before : order) found.push_back(place_of(before));
-    return found;
-  };
-  parts.node_places = places(nodes, [&](std::uint32_t node) { return mesh.node_place({node}); });
-  parts.element_places =
-      places(elements, [&](std::uint32_t element) { return mesh.element_place({element}); });
+  reorder_elements(parts);
+  reorder_nodes(parts);
   return Mesh(std::move(parts));
 }
 
