@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "core/parallel/ranks.hpp"
+
+#include <atomic>
+
+#include "core/parallel/on_root.hpp"
+#include "support/catch.hpp"
+#include "support/thread_ranks.hpp"
+
+using namespace contactsim;
+using contactsim::test::ThreadRanks;
+
+TEST_CASE("a process by itself is the root of one rank", "[core][ranks]") {
+  CHECK(one_rank().is_root());
+  CHECK_FALSE(one_rank().are_several());
+  CHECK(one_rank().of_root(3.5) == 3.5);
+  CHECK(one_rank().of_all(7) == std::vector<int>{7});
+  CHECK(one_rank().wait_for_all(0.0));
+}
+
+TEST_CASE("ranks know the value of the root and those of all", "[core][ranks]") {
+  std::atomic<int> n_right = 0;
+  ThreadRanks(3).run([&](Ranks& ranks) {
+    const bool is_right = ranks.of_root(10 + ranks.rank()) == 10 &&
+                          ranks.of_all(10 + ranks.rank()) == std::vector<int>{10, 11, 12};
+    n_right += is_right ? 1 : 0;
+  });
+  CHECK(n_right == 3);
+}
+
+TEST_CASE("what the root alone does fails on all ranks", "[core][ranks]") {
+  std::atomic<int> n_done = 0, n_failed = 0;
+  ThreadRanks(3).run([&](Ranks& ranks) {
+    on_root(ranks, [&] { ++n_done; });
+    try {
+      on_root(ranks, [] { throw FileError("results.e", "no space left"); });
+    } catch (const FileError&) {
+      ++n_failed;
+    }
+  });
+  CHECK(n_done == 1);
+  CHECK(n_failed == 3);
+}
