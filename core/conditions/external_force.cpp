@@ -83,6 +83,17 @@ void ExternalForce::add(FaceLoad load) {
   face_loads_.push_back(std::move(load));
 }
 
+void ExternalForce::add_nodes_where_place_counts(std::vector<NodeIndex>& nodes) const {
+  for (const auto* loads : {&node_loads_, &node_moments_}) {
+    for (const NodeLoad& load : *loads) {
+      if (load.value.varies_in_space()) nodes.insert(nodes.end(), load.nodes.begin(), load.nodes.end());
+    }
+  }
+  for (const FaceLoad& load : face_loads_) {
+    for (const auto& face : load.faces) nodes.insert(nodes.end(), face.begin(), face.end());
+  }
+}
+
 void ExternalForce::take_off(std::span<const std::uint8_t> alive) {
   for (FaceLoad& load : face_loads_) {
     std::vector<std::uint32_t> corners;
@@ -101,16 +112,29 @@ void ExternalForce::take_off(std::span<const std::uint8_t> alive) {
   }
 }
 
+void ExternalForce::fail_at(const ConditionFunction& value, double time, NodeIndex node) const {
+  value.fail(time, fmt::format("at node {}", mesh_->node_id(node)));
+}
+
 void ExternalForce::add_load(const NodeLoad& load, const Motion& motion, Eigen::Matrix3Xd& forces) const {
   const LoadValues values(load.value, motion, *mesh_);
+  const auto add_at = [&](std::size_t i, double value) {
+    forces.col(load.nodes[i].value) +=
+        (load.masses.empty() ? value : load.masses[i] * value) * load.direction;
+  };
+  if (!values.vary()) {
+    const double value = values.at(NodeIndex{});
+    if (!std::isfinite(value) && !load.nodes.empty()) fail_at(load.value, motion.time, load.nodes.front());
+    return followed_.visit_in(load.nodes, [&](std::size_t i) { add_at(i, value); });
+  }
   const std::size_t n = load.nodes.size();
   const std::uint32_t bad = parallel_min(n, threads_for(n), beyond_all_nodes, [&](std::size_t i) {
     const NodeIndex node = load.nodes[i];
     const double value = values.at(node);
-    forces.col(node.value) += (load.masses.empty() ? value : load.masses[i] * value) * load.direction;
+    add_at(i, value);
     return std::isfinite(value) ? beyond_all_nodes : node.value;
   });
-  if (bad != beyond_all_nodes) load.value.fail(motion.time, fmt::format("at node {}", mesh_->node_id({bad})));
+  if (bad != beyond_all_nodes) fail_at(load.value, motion.time, {bad});
 }
 
 void ExternalForce::add_load(const FaceLoad& load, const Motion& motion, Eigen::Matrix3Xd& forces) {
@@ -123,8 +147,8 @@ void ExternalForce::add_load(const FaceLoad& load, const Motion& motion, Eigen::
       corner_forces_[4 * face + static_cast<std::size_t>(a)] << on_corners.col(a), 0.0;
     return first_bad(value, load.faces[face]);
   });
-  if (bad != beyond_all_nodes) load.value.fail(motion.time, fmt::format("at node {}", mesh_->node_id({bad})));
-  load.sums.add(corner_forces_, forces);
+  if (bad != beyond_all_nodes) fail_at(load.value, motion.time, {bad});
+  load.sums.add(corner_forces_, followed_, forces);
 }
 
 void ExternalForce::add_damping(const Motion& motion, const Eigen::Matrix3Xd& velocity,
@@ -133,7 +157,7 @@ void ExternalForce::add_damping(const Motion& motion, const Eigen::Matrix3Xd& ve
   for (const NodeDamping& damping : dampings_) {
     if (!damping.times.is_active(motion.time)) continue;
     const double rate = -std::expm1(-damping.coefficient * motion.dt) / motion.dt;
-    parallel_for(damping.nodes.size(), threads_for(damping.nodes.size()), [&](std::size_t i) {
+    followed_.visit_in(damping.nodes, [&](std::size_t i) {
       const auto node = static_cast<Eigen::Index>(damping.nodes[i].value);
       forces.col(node) -= rate * mass.col(node).cwiseProduct(velocity.col(node));
     });
@@ -141,7 +165,8 @@ void ExternalForce::add_damping(const Motion& motion, const Eigen::Matrix3Xd& ve
 }
 
 ForceReport ExternalForce::set_forces(const Motion& motion, Eigen::Matrix3Xd& forces) {
-  forces.setZero(3, mesh_->n_nodes());
+  forces.resize(3, mesh_->n_nodes());
+  followed_.set_zero(forces);
   for (const NodeLoad& load : node_loads_) {
     if (load.times.is_active(motion.time)) add_load(load, motion, forces);
   }
@@ -153,7 +178,8 @@ ForceReport ExternalForce::set_forces(const Motion& motion, Eigen::Matrix3Xd& fo
 }
 
 void ExternalForce::set_moments(const Motion& motion, Eigen::Matrix3Xd& moments) {
-  moments.setZero(3, mesh_->n_nodes());
+  moments.resize(3, mesh_->n_nodes());
+  followed_.set_zero(moments);
   for (const NodeLoad& moment : node_moments_) {
     if (moment.times.is_active(motion.time)) add_load(moment, motion, moments);
   }

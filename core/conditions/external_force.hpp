@@ -8,6 +8,7 @@
 #include <span>
 #include <vector>
 
+#include "core/base/node_ranges.hpp"
 #include "core/conditions/active_times.hpp"
 #include "core/conditions/condition_function.hpp"
 #include "core/conditions/condition_scope.hpp"
@@ -52,11 +53,15 @@ class ExternalForce final : public ForceTerm {
   ///   inertia  [3 x n_nodes] of those that turn, or no columns [mass length^2]
   explicit ExternalForce(const Mesh& mesh, Eigen::Matrix3Xd mass = Eigen::Matrix3Xd(3, 0),
                          Eigen::Matrix3Xd inertia = Eigen::Matrix3Xd(3, 0))
-      : mesh_(&mesh), mass_(std::move(mass)), inertia_(std::move(inertia)) {}
+      : mesh_(&mesh), mass_(std::move(mass)), inertia_(std::move(inertia)), followed_(mesh.n_nodes()) {}
   void add(NodeLoad load) { node_loads_.push_back(std::move(load)); }
   void add_moment(NodeLoad moment) { node_moments_.push_back(std::move(moment)); }
   void add(FaceLoad load);
   void add(NodeDamping damping) { dampings_.push_back(std::move(damping)); }
+  /// Adds the nodes to a list whose loads depend on where they are: of faces, and of functions in space.
+  void add_nodes_where_place_counts(std::vector<NodeIndex>& nodes) const;
+  /// From now on loads that are alike everywhere need act on these nodes only.
+  void follow(const NodeRanges& nodes) { followed_ = nodes; }
   /// Takes the faces of dead elements out of all loads.
   ///   alive  [n_elements] 0 of dead elements
   void take_off(std::span<const std::uint8_t> alive);
@@ -70,6 +75,7 @@ class ExternalForce final : public ForceTerm {
   void set_moments(const Motion& motion, Eigen::Matrix3Xd& moments) override;
 
  private:
+  [[noreturn]] void fail_at(const ConditionFunction& value, double time, NodeIndex node) const;
   void add_load(const NodeLoad& load, const Motion& motion, Eigen::Matrix3Xd& forces) const;
   void add_load(const FaceLoad& load, const Motion& motion, Eigen::Matrix3Xd& forces);
 
@@ -81,6 +87,7 @@ class ExternalForce final : public ForceTerm {
   std::vector<NodeLoad> node_loads_, node_moments_;
   std::vector<FaceLoad> face_loads_;
   std::vector<NodeDamping> dampings_;
+  NodeRanges followed_;
   std::vector<NodeVector> corner_forces_;  ///< [4 x n_faces] of the load that is being added [force]
 };
 

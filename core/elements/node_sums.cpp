@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "core/elements/node_sums.hpp"
 
-#include "core/base/threads.hpp"
-
 namespace contactsim {
 
 NodeSums::NodeSums(std::span<const std::uint32_t> nodes, std::size_t n_nodes) : places_(nodes.size()) {
@@ -20,7 +18,12 @@ NodeSums::NodeSums(std::span<const std::uint32_t> nodes, std::size_t n_nodes) : 
 }
 
 void NodeSums::add(std::span<const NodeVector> parts, Eigen::Matrix3Xd& forces) const {
-  parallel_for(nodes_.size(), threads_for(nodes_.size()), [&](std::size_t k) {
+  add(parts, NodeRanges(forces.cols()), forces);
+}
+
+void NodeSums::add(std::span<const NodeVector> parts, const NodeRanges& nodes,
+                   Eigen::Matrix3Xd& forces) const {
+  nodes.visit_in(nodes_, [&](std::size_t k) {
     NodeVector sum = parts[places_[begin_[k]]];
     for (std::uint32_t entry = begin_[k] + 1; entry < begin_[k + 1]; ++entry) sum += parts[places_[entry]];
     forces.col(nodes_[k].value) += sum.head<3>();

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/base/indices.hpp"
+#include "core/base/node_ranges.hpp"
 #include "core/elements/gather.hpp"
 
 namespace contactsim {
@@ -27,6 +28,8 @@ class NodeSums {
   ///   parts   [n_places] [force]
   ///   forces  [3 x n_nodes] [force]
   void add(std::span<const NodeVector> parts, Eigen::Matrix3Xd& forces) const;
+  /// The same of those among some nodes.
+  void add(std::span<const NodeVector> parts, const NodeRanges& nodes, Eigen::Matrix3Xd& forces) const;
 
  private:
   std::vector<NodeIndex> nodes_;
