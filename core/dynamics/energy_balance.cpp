@@ -2,6 +2,7 @@
 #include "core/dynamics/energy_balance.hpp"
 
 #include "core/base/threads.hpp"
+#include "core/dynamics/rank_share.hpp"
 
 namespace contactsim {
 
@@ -11,8 +12,8 @@ namespace {
 constexpr Eigen::Index group_size = 24;
 using Group = Eigen::Array<double, group_size, 1>;
 
-/// Nodes whose sums are made together. Fixed, so that the sums do not depend on the number of threads.
-constexpr Eigen::Index groups_per_chunk = 256;
+/// Groups whose sums are made together.
+constexpr Eigen::Index groups_per_chunk = 3 * Eigen::Index{nodes_per_sum} / group_size;
 
 /// The sums of a chunk, component by component.
 struct GroupSums {
@@ -65,17 +66,24 @@ class Completion {
     product_span_ = state.dt > 0.0 ? half_before_ + half_after_ : 2.0 * half_after_;
   }
 
-  Eigen::Index n_chunks() const {
+  std::size_t n_chunks() const {
     const Eigen::Index per_chunk = groups_per_chunk * group_size;
-    return (size_ + per_chunk - 1) / per_chunk;
+    return static_cast<std::size_t>((size_ + per_chunk - 1) / per_chunk);
   }
 
-  EnergyBalance complete_chunk(Eigen::Index chunk) {
+  EnergyBalance complete_chunk(std::size_t chunk) {
     GroupSums sums;
-    const Eigen::Index first = chunk * groups_per_chunk * group_size;
+    const Eigen::Index first = static_cast<Eigen::Index>(chunk) * groups_per_chunk * group_size;
     const Eigen::Index end = std::min(size_, first + groups_per_chunk * group_size);
     for (Eigen::Index i = first; i < end; i += group_size) complete_group(i, sums);
     return sums.total(half_before_, half_after_, product_span_ - half_after_);
+  }
+
+  /// Brings nodes to now whose sums another rank makes.
+  void complete(NodeRange nodes) {
+    double* v = nodes_.velocity.data();
+    const double* a = nodes_.acceleration.data();
+    for (std::int64_t i = 3 * nodes.begin; i < 3 * nodes.end; ++i) v[i] += half_before_ * a[i];
   }
 
  private:
@@ -134,12 +142,22 @@ void add_reactions(const NodeMotion& nodes, std::span<const NodeIndex> held, con
   }
 }
 
-EnergyBalance complete_nodes(const NodeMotion& nodes, const State& state) {
+EnergyBalance complete_nodes(const NodeMotion& nodes, const State& state, RankShare* share) {
   Completion completion(nodes, state);
-  std::vector<EnergyBalance> parts(static_cast<std::size_t>(completion.n_chunks()));
+  std::vector<EnergyBalance> parts(completion.n_chunks());
   const auto n_nodes = static_cast<std::size_t>(nodes.velocity.cols());
-  parallel_for(completion.n_chunks(), threads_for(n_nodes),
-               [&](auto i) { parts[static_cast<std::size_t>(i)] = completion.complete_chunk(i); });
+  if (share == nullptr) {
+    parallel_for(parts.size(), threads_for(n_nodes),
+                 [&](std::size_t i) { parts[i] = completion.complete_chunk(i); });
+  } else {
+    parallel_for(parts.size(), threads_for(n_nodes), [&](std::size_t i) {
+      if (share->makes_sum(i)) parts[i] = completion.complete_chunk(i);
+    });
+    share->others_followed().visit([&](std::int64_t begin, std::int64_t end) {
+      completion.complete({begin, end});
+    });
+    share->complete_sums(parts);
+  }
   EnergyBalance balance;
   balance.momentum.setZero();
   for (const EnergyBalance& part : parts) {
@@ -170,14 +188,14 @@ Eigen::Vector3d reaction_moment_at(const Model& model, const State& state, NodeI
   return reaction_at({model.inertia, state.rotations.moments, state.rotations.acceleration, unused}, node);
 }
 
-EnergyBalance complete_velocities(const Model& model, State& state) {
+EnergyBalance complete_velocities(const Model& model, State& state, RankShare* share) {
   const Eigen::Matrix3Xd& mass = model.rigid.empty() ? model.mass : model.rigid.free_mass;
   const NodeMotion moving{mass, state.forces, state.acceleration, state.velocity};
-  EnergyBalance balance = complete_nodes(moving, state);
+  EnergyBalance balance = complete_nodes(moving, state, share);
   add_reactions(moving, model.kinematic_constraints.nodes(), state, balance);
   if (!state.rotations.exist()) return balance;
   const NodeMotion turning = turning_nodes(model, state.rotations);
-  EnergyBalance rotational = complete_nodes(turning, state);
+  EnergyBalance rotational = complete_nodes(turning, state, share);
   add_reactions(turning, model.rotation_constraints.nodes(), state, rotational);
   balance.kinetic += rotational.kinetic;
   balance.conserved += rotational.conserved;

@@ -6,6 +6,8 @@
 
 namespace contactsim {
 
+class RankShare;
+
 /// Sums over the nodes at the end of a step.
 struct EnergyBalance {
   double kinetic = 0.0;      ///< of the velocities now [energy]
@@ -20,7 +22,8 @@ struct EnergyBalance {
 /// and energy over the nodes in a fixed order. Forces and accelerations are those of now; what
 /// mass x acceleration has beyond the forces is the reaction, whose work counts as external. Of the nodes of
 /// rigid bodies only the work of the forces counts.
-EnergyBalance complete_velocities(const Model& model, State& state);
+///   share  of a rank: it brings the nodes that it follows to now; null: all
+EnergyBalance complete_velocities(const Model& model, State& state, RankShare* share = nullptr);
 
 /// The moment by which conditions hold or turn a node: inertia x angular acceleration less all other moments.
 /// Precondition: the state has rotations [force length].

@@ -9,8 +9,9 @@
 #include <span>
 
 #include "core/base/errors.hpp"
-#include "core/base/threads.hpp"
+#include "core/base/node_ranges.hpp"
 #include "core/dynamics/energy_balance.hpp"
+#include "core/dynamics/rank_share.hpp"
 #include "core/dynamics/rigid_motion.hpp"
 #include "core/dynamics/state_motion.hpp"
 
@@ -60,15 +61,14 @@ StepReport set_forces(ForceTerms terms, const Motion& motion, State& state) {
   return step;
 }
 
-void accelerate(const Eigen::Matrix3Xd& masses, const NodalForces& forces, Eigen::Matrix3Xd& acceleration) {
-  const auto n = static_cast<std::int64_t>(acceleration.size());
+void accelerate(const NodeRanges& nodes, const Eigen::Matrix3Xd& masses, const NodalForces& forces,
+                Eigen::Matrix3Xd& acceleration) {
   double* a = acceleration.data();
   const double *mass = masses.data(), *internal = forces.internal.data(), *external = forces.external.data();
   const double* contact = forces.contact.size() > 0 ? forces.contact.data() : nullptr;
-  const int n_threads = threads_for(static_cast<std::size_t>(acceleration.cols()));
-  parallel_for_ranges(n, n_threads, [=](std::int64_t begin, std::int64_t end) {
+  nodes.visit([=](std::int64_t begin, std::int64_t end) {
 #pragma omp simd
-    for (std::int64_t i = begin; i < end; ++i)
+    for (std::int64_t i = 3 * begin; i < 3 * end; ++i)
       a[i] = (internal[i] + external[i] + (contact != nullptr ? contact[i] : 0.0)) / mass[i];
   });
 }
@@ -84,26 +84,24 @@ void accelerate(std::span<const std::uint32_t> nodes, const Eigen::Matrix3Xd& ma
 }
 
 /// Brings velocities to the middle of the step and what they change to its end.
-void move(double dt, const Eigen::Matrix3Xd& acceleration, Eigen::Matrix3Xd& velocity,
-          Eigen::Matrix3Xd& changed) {
-  const auto n = static_cast<std::int64_t>(velocity.size());
+void move(const NodeRanges& nodes, double dt, const Eigen::Matrix3Xd& acceleration,
+          Eigen::Matrix3Xd& velocity, Eigen::Matrix3Xd& changed) {
   double *v = velocity.data(), *x = changed.data();
   const double* a = acceleration.data();
   const double half = 0.5 * dt;
-  const int n_threads = threads_for(static_cast<std::size_t>(velocity.cols()));
-  parallel_for_ranges(n, n_threads, [=](std::int64_t begin, std::int64_t end) {
+  nodes.visit([=](std::int64_t begin, std::int64_t end) {
 #pragma omp simd
-    for (std::int64_t i = begin; i < end; ++i) {
+    for (std::int64_t i = 3 * begin; i < 3 * end; ++i) {
       v[i] += half * a[i];
       x[i] += dt * v[i];
     }
   });
 }
 
-void move(State& state) {
-  move(state.dt, state.acceleration, state.velocity, state.coordinates);
+void move(const NodeRanges& nodes, State& state) {
+  move(nodes, state.dt, state.acceleration, state.velocity, state.coordinates);
   NodalRotations& rotations = state.rotations;
-  if (rotations.exist()) move(state.dt, rotations.acceleration, rotations.velocity, rotations.angle);
+  if (rotations.exist()) move(nodes, state.dt, rotations.acceleration, rotations.velocity, rotations.angle);
 }
 
 /// A time between steps as the conditions of rotations see it.
@@ -113,7 +111,8 @@ BetweenSteps between_turns(const State& state, double dt_before, double dt_after
 }
 
 /// Names the first node whose motion is not finite.
-[[noreturn]] void stop_at_non_finite(const Model& model, const State& state) {
+[[noreturn]] void stop_at_non_finite(const Model& model, State& state, RankShare* share) {
+  if (share != nullptr) share->complete_nodes(state);
   for (std::uint32_t node = 0; node < model.mesh->n_nodes(); ++node) {
     const auto acceleration = state.acceleration.col(node);
     const bool is_massless = model.mass(0, node) <= minimum_nodal_mass && !acceleration.isZero(0.0);
@@ -187,10 +186,10 @@ void constrain(const Model& model, State& state) {
 }
 
 /// The accelerations that the forces give, fixed and prescribed nodes and rigid bodies included.
-void find_accelerations(const Model& model, State& state) {
-  accelerate(model.mass, state.forces, state.acceleration);
+void find_accelerations(const Model& model, const NodeRanges& nodes, State& state) {
+  accelerate(nodes, model.mass, state.forces, state.acceleration);
   NodalRotations& rotations = state.rotations;
-  if (rotations.exist()) accelerate(model.inertia, rotations.moments, rotations.acceleration);
+  if (rotations.exist()) accelerate(nodes, model.inertia, rotations.moments, rotations.acceleration);
   constrain(model, state);
 }
 
@@ -211,7 +210,8 @@ void balance_contact(const Model& model, ForceTerms terms, State& state) {
 
 /// What accelerations leave of the kinetic energy between half steps at the start, where the leapfrog stands
 /// mirrored: |v0|^2 - |v - v0|^2.
-double energy_at_start(const Model& model, const State& state) {
+double energy_at_start(const Model& model, State& state, RankShare* share) {
+  if (share != nullptr) share->complete_nodes(state);
   const double half = 0.5 * state.next_dt;
   const NodalRotations& rotations = state.rotations;
   EnergyBalance bodies;
@@ -227,24 +227,27 @@ double energy_at_start(const Model& model, const State& state) {
 
 /// Chooses the next step, constrains the accelerations and completes velocities, energies and momentum.
 void complete(const Model& model, ForceTerms terms, const TimeStepControl& control, const StepReport& report,
-              State& state) {
+              State& state, RankShare* share) {
+  const NodeRanges all(model.mesh->n_nodes());
+  const NodeRanges& nodes = share != nullptr ? share->followed() : all;
   state.next_dt = control.step_after(state.time, state.dt, state.stable_step.take(report.stable_step));
   if (state.step == 0) state.first_dt = state.next_dt;
   check_step(model, state, report);
-  find_accelerations(model, state);
-  const double free = state.step == 0 ? energy_at_start(model, state) : 0.0;
+  find_accelerations(model, nodes, state);
+  const double free = state.step == 0 ? energy_at_start(model, state, share) : 0.0;
   balance_contact(model, terms, state);
-  if (state.step == 0) state.energies.contact = free - energy_at_start(model, state);
-  EnergyBalance balance = complete_velocities(model, state);
+  if (state.step == 0) state.energies.contact = free - energy_at_start(model, state, share);
+  EnergyBalance balance = complete_velocities(model, state, share);
   if (!model.rigid.empty()) add_rigid_balance(model, state, balance);
-  if (!std::isfinite(balance.kinetic + balance.conserved)) stop_at_non_finite(model, state);
+  if (!std::isfinite(balance.kinetic + balance.conserved)) stop_at_non_finite(model, state, share);
   update_energies(balance, state);
-  if (!std::isfinite(state.energies.error)) stop_at_non_finite(model, state);
+  if (!std::isfinite(state.energies.error)) stop_at_non_finite(model, state, share);
 }
 
 }  // namespace
 
-StepReport start(const Model& model, ForceTerms forces, const TimeStepControl& control, State& state) {
+StepReport start(const Model& model, ForceTerms forces, const TimeStepControl& control, State& state,
+                 RankShare* share) {
   if (!model.rigid.empty()) start_rigid_bodies(model, state);
   const Motion motion = motion_of(state, 0.0);
   StepReport report = set_forces(forces, motion, state);
@@ -254,19 +257,21 @@ StepReport start(const Model& model, ForceTerms forces, const TimeStepControl& c
   if (state.rotations.exist())
     model.rotation_constraints.constrain_velocity(between_turns(state, 0.0, dt), state.rotations.velocity);
   report = set_forces(forces, motion, state);  // bulk viscosity depends on the velocities
-  complete(model, forces, control, report, state);
+  complete(model, forces, control, report, state, share);
   return report;
 }
 
-StepReport advance(const Model& model, ForceTerms forces, const TimeStepControl& control, State& state) {
+StepReport advance(const Model& model, ForceTerms forces, const TimeStepControl& control, State& state,
+                   RankShare* share) {
   state.dt = state.next_dt;
   state.time += state.dt;
   ++state.step;
-  move(state);
+  const NodeRanges all(model.mesh->n_nodes());
+  move(share != nullptr ? share->followed() : all, state);
   if (!model.rigid.empty()) move_rigid_bodies(model, state);
   const Motion motion = motion_of(state, state.dt);
   const StepReport report = set_forces(forces, motion, state);
-  complete(model, forces, control, report, state);
+  complete(model, forces, control, report, state, share);
   return report;
 }
 

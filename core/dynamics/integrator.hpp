@@ -8,6 +8,8 @@
 
 namespace contactsim {
 
+class RankShare;
+
 /// What pushes the nodes of a run.
 struct ForceTerms {
   ForceTerm& internal;
@@ -23,7 +25,9 @@ struct StepReport {
 
 /// Completes a state whose coordinates, velocities and stresses are those of the start: forces,
 /// accelerations, the first step. Throws SolveError.
-StepReport start(const Model& model, ForceTerms forces, const TimeStepControl& control, State& state);
+///   share  of a rank, as InternalForce has it; null: of a process by itself
+StepReport start(const Model& model, ForceTerms forces, const TimeStepControl& control, State& state,
+                 RankShare* share = nullptr);
 
 /// Brings a state to the end of its next step by central differences:
 ///   v(t + dt/2) = v(t) + dt/2 a(t);  x(t + dt) = x(t) + dt v(t + dt/2);  a(t + dt) = forces / mass, then
@@ -31,6 +35,8 @@ StepReport start(const Model& model, ForceTerms forces, const TimeStepControl& c
 /// Sums over nodes are made in a fixed order: the same bits for any number of threads. Throws SolveError when
 /// a step vanishes or a number is not finite; the state is then that of the failed step.
 /// Source: Belytschko, Liu, Moran & Elkhodary, Nonlinear Finite Elements (2014), box 6.1 and eq. 6.2.14-17.
-StepReport advance(const Model& model, ForceTerms forces, const TimeStepControl& control, State& state);
+/// A rank brings the nodes that it follows to there.
+StepReport advance(const Model& model, ForceTerms forces, const TimeStepControl& control, State& state,
+                   RankShare* share = nullptr);
 
 }  // namespace contactsim

@@ -10,6 +10,7 @@
 #include "core/base/threads.hpp"
 #include "core/dynamics/block_at_rest.hpp"
 #include "core/dynamics/discrete_steps.hpp"
+#include "core/dynamics/rank_share.hpp"
 #include "core/elements/element_table.hpp"
 #include "core/elements/elements.hpp"
 
@@ -57,22 +58,39 @@ double find_step_of_particles(const Model& model) {
 
 }  // namespace
 
-InternalForce::InternalForce(const Model& model, State& state)
-    : model_(model), state_(state), idle_step_(find_step_at_rest(model, true)) {
-  std::size_t max_chunks = 0;
-  for (const ModelBlock& block : model.blocks) max_chunks = std::max(max_chunks, block.chunks.size());
-  chunks_.resize(max_chunks);
+InternalForce::InternalForce(const Model& model, State& state, RankShare* share)
+    : model_(model),
+      state_(state),
+      share_(share),
+      nodes_(share != nullptr ? share->followed() : NodeRanges(model.mesh->n_nodes())),
+      idle_step_(find_step_at_rest(model, true)) {
+  first_chunk_.push_back(0);
+  for (const ModelBlock& block : model.blocks)
+    first_chunk_.push_back(first_chunk_.back() + block.chunks.size());
+  chunks_.resize(first_chunk_.back());
 }
 
-void InternalForce::advance_chunks(std::size_t index, const Motion& motion) {
-  const ModelBlock& block = model_.blocks[index];
-  ModelBlockState& state = state_.blocks[index];
-  parallel_for(block.chunks.size(), threads_for(block.n_elements * 10), [&](std::size_t chunk) {
-    chunks_[chunk] = block.element->advance(block, block.chunks[chunk], motion, state);
-  });
+std::span<const ChunkStep> InternalForce::steps_of(std::size_t block) const {
+  return std::span(chunks_).subspan(first_chunk_[block], first_chunk_[block + 1] - first_chunk_[block]);
+}
+
+void InternalForce::advance_chunks(const Motion& motion) {
+  for (std::size_t index = 0; index < model_.blocks.size(); ++index) {
+    const ModelBlock& block = model_.blocks[index];
+    if (block.is_rigid) continue;
+    ModelBlockState& state = state_.blocks[index];
+    const ChunkRange own = share_ != nullptr ? share_->own_chunks(index) : ChunkRange{0, block.chunks.size()};
+    parallel_for(own.size(), threads_for(block.n_elements * 10), [&](std::size_t i) {
+      const std::size_t chunk = own.begin + i;
+      chunks_[first_chunk_[index] + chunk] =
+          block.element->advance(block, block.chunks[chunk], motion, state);
+    });
+  }
+  if (share_ != nullptr) share_->exchange(chunks_, state_);
 }
 
 void InternalForce::stop_at_inverted(const ModelBlock& block, const Motion& motion) const {
+  if (share_ != nullptr) share_->complete_nodes(state_);  // of which the motion has the coordinates
   const std::size_t element = find_inverted(block, motion.coordinates);
   const auto position = block.first_element.value + static_cast<std::uint32_t>(element);
   throw SolveError(motion.time,
@@ -98,14 +116,14 @@ struct StableSteps {
 }  // namespace
 
 ForceReport InternalForce::set_forces(const Motion& motion, Eigen::Matrix3Xd& forces) {
-  forces.setZero();
+  nodes_.set_zero(forces);
+  advance_chunks(motion);
   ForceReport report;
   StableSteps steps;
   for (std::size_t index = 0; index < model_.blocks.size(); ++index) {
     const ModelBlock& block = model_.blocks[index];
     if (block.is_rigid) continue;
-    advance_chunks(index, motion);
-    for (const ChunkStep& chunk : std::span(chunks_).first(block.chunks.size())) {
+    for (const ChunkStep& chunk : steps_of(index)) {
       if (!(chunk.min_volume > 0.0)) stop_at_inverted(block, motion);
       if (chunk.stable_step < steps.min()) {
         report.critical_element = {block.first_element.value +
@@ -117,7 +135,7 @@ ForceReport InternalForce::set_forces(const Motion& motion, Eigen::Matrix3Xd& fo
       state_.blocks[index].hourglass_work += chunk.hourglass_work;
       report.viscous_work += chunk.viscous_work;
     }
-    block.sums.add(state_.blocks[index].forces, forces);
+    block.sums.add(state_.blocks[index].forces, nodes_, forces);
   }
   report.stable_step = combined_step(steps.material, steps.stiffness, steps.damping);
   if (std::isinf(report.stable_step)) {
@@ -129,11 +147,11 @@ ForceReport InternalForce::set_forces(const Motion& motion, Eigen::Matrix3Xd& fo
 }
 
 void InternalForce::set_moments(const Motion& /*motion*/, Eigen::Matrix3Xd& moments) {
-  moments.setZero();
+  nodes_.set_zero(moments);
   for (std::size_t index = 0; index < model_.blocks.size(); ++index) {
     const ModelBlock& block = model_.blocks[index];
     if (block.element->has_rotations && !block.is_rigid)
-      block.sums.add(state_.blocks[index].moments, moments);
+      block.sums.add(state_.blocks[index].moments, nodes_, moments);
   }
 }
 

@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <span>
+#include <vector>
+
+#include "core/base/node_ranges.hpp"
 #include "core/dynamics/model.hpp"
 #include "core/dynamics/state.hpp"
 #include "core/elements/element_table.hpp"
@@ -8,23 +12,30 @@
 
 namespace contactsim {
 
+class RankShare;
+
 /// The forces of the elements' stresses.
 class InternalForce final : public ForceTerm {
  public:
-  /// Both must outlive the term; it changes the elements' part of the state only.
-  InternalForce(const Model& model, State& state);
+  /// All must outlive the term; it changes the elements' part of the state only.
+  ///   share  of a rank, whose chunks alone it advances; null: it advances all
+  InternalForce(const Model& model, State& state, RankShare* share = nullptr);
 
   /// Throws SolveError naming the element when one has no positive volume.
   ForceReport set_forces(const Motion& motion, Eigen::Matrix3Xd& forces) override;
   void set_moments(const Motion& motion, Eigen::Matrix3Xd& moments) override;
 
  private:
-  void advance_chunks(std::size_t index, const Motion& motion);
+  void advance_chunks(const Motion& motion);
+  std::span<const ChunkStep> steps_of(std::size_t block) const;
   [[noreturn]] void stop_at_inverted(const ModelBlock& block, const Motion& motion) const;
 
   const Model& model_;
   State& state_;
-  std::vector<ChunkStep> chunks_;  ///< of the largest block, scratch
+  RankShare* const share_;
+  NodeRanges nodes_;                      ///< whose forces are summed
+  std::vector<std::size_t> first_chunk_;  ///< [n_blocks + 1] of each block in chunks_
+  std::vector<ChunkStep> chunks_;         ///< of all blocks, scratch
   /// Stable step at rest were the rigid elements elastic, or the dead ones alive: for when there are no
   /// others [time]
   double idle_step_;

@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "core/dynamics/chunk_shares.hpp"
+#include "core/dynamics/model.hpp"
+#include "core/dynamics/node_shares.hpp"
+#include "core/elements/element_table.hpp"
+#include "core/parallel/ranks.hpp"
+
+namespace contactsim {
+
+/// What a rank does of a step of explicit dynamics, and what it tells the others. It advances its own chunks
+/// of elements; the sums that the others' chunks have at the nodes that it follows arrive in the very places
+/// where its own would stand, so that NodeSums adds up at each node in the order of one process: the same
+/// bits for any number of ranks. All ranks call its functions alike.
+class RankShare {
+ public:
+  /// Ranks and model must outlive it.
+  ///   everywhere  nodes that all ranks have to follow
+  RankShare(Ranks& ranks, const Model& model, std::span<const NodeIndex> everywhere);
+  RankShare(const RankShare&) = delete;
+  RankShare& operator=(const RankShare&) = delete;
+
+  const ChunkShares& chunks() const { return chunks_; }
+  ChunkRange own_chunks(std::size_t block) const { return chunks_.of(ranks_.rank(), block); }
+  const NodeRanges& followed() const { return followed_; }
+  /// Those of them whose sums other ranks make.
+  const NodeRanges& others_followed() const { return others_followed_; }
+  std::size_t n_sums() const { return nodes_.n_sums(); }
+  NodeRange nodes_of_sum(std::size_t i) const { return nodes_.nodes_of_sum(i); }
+  bool makes_sum(std::size_t i) const { return nodes_.rank_of_sum(i) == ranks_.rank(); }
+
+  /// Completes what a step has made of the chunks: forces and moments at the nodes that are followed, and
+  ///   steps  [n_chunks of all blocks] those of the own chunks are known
+  void exchange(std::span<ChunkStep> steps, State& state);
+
+  /// Completes sums over nodes.
+  ///   sums  [n_sums] those that this rank makes are known
+  template <class Sum>
+  void complete_sums(std::vector<Sum>& sums);
+
+  /// Completes the state between two steps for who reads more of it: all nodes, and what elements remember.
+  void complete(State& state);
+  /// The nodes alone.
+  void complete_nodes(State& state);
+
+  /// Bytes that this rank sends to all others in a step, without sums and contact.
+  std::size_t n_bytes_per_step() const;
+
+ private:
+  /// The places of a block's chunk sums that go from one rank to another.
+  using Places = std::vector<std::vector<std::uint32_t>>;  // [n_blocks]
+
+  void find_places();
+  std::size_t message_size(int from, const Places& places) const;
+  template <class Item>
+  void visit(int from, const Places& places, std::span<ChunkStep> steps, State& state,
+             const Item& item) const;
+  void gather_nodes(Eigen::Matrix3Xd& values);
+
+  Ranks& ranks_;
+  const Model& model_;
+  ChunkShares chunks_;
+  NodeShares nodes_;
+  NodeRanges followed_, others_followed_;
+  std::vector<Places> out_, in_;                    // [n_ranks] to and from
+  std::vector<std::vector<std::byte>> sent_, got_;  // [n_ranks] messages
+  std::vector<std::uint32_t> sums_by_rank_;         // [n_sums] those of the first rank first
+  std::vector<std::size_t> first_sum_;              // [n_ranks + 1] in sums_by_rank_
+};
+
+template <class Sum>
+void RankShare::complete_sums(std::vector<Sum>& sums) {
+  std::vector<Sum> sorted;
+  sorted.reserve(sums.size());
+  for (const std::uint32_t i : sums_by_rank_) sorted.push_back(sums[i]);
+  std::vector<std::size_t> begins;
+  for (const std::size_t first : first_sum_) begins.push_back(first * sizeof(Sum));
+  ranks_.gather(std::as_writable_bytes(std::span(sorted)), begins);
+  for (std::size_t k = 0; k < sorted.size(); ++k) sums[sums_by_rank_[k]] = sorted[k];
+}
+
+}  // namespace contactsim
