@@ -16,6 +16,8 @@ class EnergyWarnings {
 
   /// To be called once, before the first step or where a run goes on.
   void begin(const State& state) { block_watch_.begin(state); }
+  /// Whether step() looks at the elements of a state.
+  bool reads_elements(const State& state) const { return state.step % BlockEnergyWatch::interval == 0; }
   /// To be called after every step.
   void step(const State& state);
   /// To be called at the end of a run.

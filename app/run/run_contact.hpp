@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <span>
 #include <string>
@@ -69,7 +70,8 @@ class RunContact {
   void add_suffix(const std::string& suffix);
 
   /// To be called after every step: looks from time to time whether bodies lie in each other.
-  void watch(const State& state);
+  ///   complete_state  called before it reads more than contact nodes
+  void watch(const State& state, const std::function<void()>& complete_state);
   IndexedSpan<PairIndex, const Interpenetration> interpenetrations() const { return watch_.all(); }
   /// Saves or restores what contact remembers.
   void archive(const State& state, StateArchive& saved);

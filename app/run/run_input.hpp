@@ -13,6 +13,7 @@
 #include "contact/overlap/start_overlaps.hpp"
 #include "core/definition/declarations.hpp"
 #include "core/mesh/mesh.hpp"
+#include "core/parallel/ranks.hpp"
 
 namespace contactsim {
 
@@ -41,6 +42,8 @@ struct RunSettings {
   std::function<void(std::string_view)> write_text = [](std::string_view) {};
   /// The last step ends at the termination time, where another procedure goes on; else at it or past it.
   bool ends_on_time = false;
+  /// The processes that share the run; they must outlive it. Rank 0 alone writes files.
+  Ranks& ranks = one_rank();
 };
 
 }  // namespace contactsim

@@ -2,11 +2,13 @@
 #include "app/run/run_outputs.hpp"
 
 #include <sstream>
+#include <utility>
 
 #include "app/run/file_clashes.hpp"
 #include "app/run/output_files.hpp"
 #include "core/base/errors.hpp"
 #include "core/definition/simulation.hpp"
+#include "core/parallel/on_root.hpp"
 
 namespace contactsim {
 
@@ -19,16 +21,41 @@ std::vector<std::string> lines_of(const std::string& text) {
   return lines;
 }
 
+/// Writers that write on rank 0.
+OutputWriters on_root(Ranks& ranks, OutputWriters writers) {
+  if (!ranks.are_several()) return writers;
+  OutputWriters made = writers;
+  made.open_results = [&ranks, writers](const ResultsFile& file, const Mesh& mesh,
+                                        std::span<const OutputField> fields) -> OutputWriters::AppendStep {
+    OutputWriters::AppendStep append;
+    contactsim::on_root(ranks, [&] { append = writers.open_results(file, mesh, fields); });
+    return [&ranks, append](double time, const OutputWriters::FieldValues& values) {
+      contactsim::on_root(ranks, [&] { append(time, values); });
+    };
+  };
+  made.open_heartbeat = [&ranks, writers](const HeartbeatFile& file,
+                                          std::vector<std::string> names) -> OutputWriters::AppendLine {
+    OutputWriters::AppendLine append;
+    contactsim::on_root(ranks, [&] { append = writers.open_heartbeat(file, std::move(names)); });
+    return [&ranks, append](double time, std::span<const double> values) {
+      contactsim::on_root(ranks, [&] { append(time, values); });
+    };
+  };
+  return made;
+}
+
 }  // namespace
 
-OutputSettings output_settings(const RunInput& input, const RunSettings& settings, RunContact* contact) {
+OutputSettings output_settings(const RunInput& input, const RunSettings& settings, RunContact* contact,
+                               std::function<void()> complete_state) {
   OutputFileSettings files;
   files.mesh_path = input.mesh.path();
   files.command_line = settings.command_line;
   files.deck_lines = lines_of(input.definition.text);
   files.log = settings.write_text;
   OutputSettings made;
-  made.writers = make_output_writers(std::move(files));
+  made.writers = on_root(settings.ranks, make_output_writers(std::move(files)));
+  made.complete_state = std::move(complete_state);
   made.results_path = settings.results_path;
   made.always_computes = !input.region.element_deaths.empty();
   if (contact != nullptr) contact->add_to(made);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -11,8 +12,11 @@
 namespace contactsim {
 
 /// What the outputs of a run need besides deck and model.
-///   contact  null without contact
-OutputSettings output_settings(const RunInput& input, const RunSettings& settings, RunContact* contact);
+///   contact         null without contact
+///   complete_state  OutputSettings::complete_state
+OutputSettings output_settings(
+    const RunInput& input, const RunSettings& settings, RunContact* contact,
+    std::function<void()> complete_state = [] {});
 
 /// No output may replace a file that is to be kept, and all must be writable: throws FileError.
 void check_output_paths(const std::vector<RunFile>& kept, const std::vector<std::string>& paths);

@@ -11,6 +11,7 @@
 #include "app/run/timed_force.hpp"
 #include "core/base/errors.hpp"
 #include "core/definition/simulation.hpp"
+#include "core/parallel/on_root.hpp"
 
 namespace contactsim {
 
@@ -29,8 +30,9 @@ std::int64_t nanoseconds_now() {
 
 }  // namespace
 
-RunRestart::RunRestart(const RunInput& input, Diagnostics& diagnostics)
-    : time_(input.definition.restart.time),
+RunRestart::RunRestart(const RunInput& input, Ranks& ranks, Diagnostics& diagnostics)
+    : ranks_(ranks),
+      time_(input.definition.restart.time),
       resumes_(input.definition.restart.is_automatic || input.definition.restart.time),
       begun_(nanoseconds_now()) {
   const std::vector<RestartData>& blocks = input.region.restart_data;
@@ -142,19 +144,24 @@ void RunRestart::begin(const State& state) {
 bool RunRestart::is_due(const State& state, bool is_last) {
   const bool by_time = times_->is_due({state.step, state.time, is_last});
   if (!wall_times_) return by_time;
-  return wall_times_->is_due({state.step, clock_seconds() - clock_begun_, false}) || by_time;
+  const double seconds = ranks_.of_root(clock_seconds() - clock_begun_);
+  return wall_times_->is_due({state.step, seconds, false}) || by_time;
 }
 
-bool RunRestart::store(const Checkpoint& checkpoint, bool is_last, bool is_wanted) {
+bool RunRestart::is_due(const State& state, bool is_last, bool is_wanted) {
+  return times_ && (is_due(state, is_last) || is_wanted) && last_step_ != state.step;
+}
+
+void RunRestart::store(const Checkpoint& checkpoint) {
   const State& state = checkpoint.state;
-  if (!times_ || (!is_due(state, is_last) && !is_wanted) || last_step_ == state.step) return false;
   last_path_ = restart_path(output_, run_, slots_.take());
-  StateArchive saved;
-  archive(checkpoint, saved);
-  write_restart_file(last_path_, {begun_, run_, state.step, state.time}, saved.take());
+  on_root(ranks_, [&] {
+    StateArchive saved;
+    archive(checkpoint, saved);
+    write_restart_file(last_path_, {begun_, run_, state.step, state.time}, saved.take());
+  });
   last_step_ = state.step;
   ++n_written_;
-  return true;
 }
 
 void warn_of_restart(const RunRestart& restart, std::span<const RunMark> changed, bool is_over,

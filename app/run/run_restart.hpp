@@ -20,7 +20,8 @@ namespace contactsim {
 class RunRestart {
  public:
   /// What cannot be done is an error.
-  RunRestart(const RunInput& input, Diagnostics& diagnostics);
+  ///   ranks  must outlive it
+  RunRestart(const RunInput& input, Ranks& ranks, Diagnostics& diagnostics);
 
   /// Finds the state that the deck asks for, and from then on is a run that resumes. A damaged file is passed
   /// over for the next older one with a warning.
@@ -46,10 +47,11 @@ class RunRestart {
   std::optional<StepTarget> step_target() const;
   /// The run begins with a state that needs no file.
   void begin(const State& state);
-  /// Writes a state when it is due, or wanted, and was not written yet. Returns whether it did. Throws
-  /// FileError.
+  /// Whether a state is due, or wanted, and was not written yet. To be called once a step.
   ///   is_last  the run ends with it
-  bool store(const Checkpoint& checkpoint, bool is_last, bool is_wanted);
+  bool is_due(const State& state, bool is_last, bool is_wanted);
+  /// Writes a state. Throws FileError.
+  void store(const Checkpoint& checkpoint);
   bool stores() const { return times_.has_value(); }
 
   /// Whether the deck asks for a state to resume from, and the database where it may be.
@@ -72,6 +74,7 @@ class RunRestart {
   bool is_due(const State& state, bool is_last);
   void choose_run(const std::vector<std::string>& outputs);
 
+  Ranks& ranks_;
   std::string input_, output_;                     // databases
   std::optional<double> time_;                     // of the state to resume from [time]
   bool resumes_ = false;                           // if there is a state

@@ -3,9 +3,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 #include "app/run/simulation_parts.hpp"
+#include "core/parallel/on_root.hpp"
 
 namespace contactsim {
 
@@ -48,6 +50,7 @@ void Simulation::try_to(const Work& work) {
 
 void Simulation::begin() {
   parts_->begun = clock_seconds();
+  parts_->settings.ranks.wait_for_all(std::numeric_limits<double>::infinity());  // files of before are whole
   parts_->restart.find_state(parts_->outputs.paths(), parts_->diagnostics);
   notify(RunEvent::restart_sought);
   parts_->prepare_files();
@@ -59,6 +62,7 @@ void Simulation::begin_anew() {
   run.take_over();
   run.start_anew();
   notify(RunEvent::begun);
+  run.complete_state();
   run.energy_warnings.begin(run.state);
   end_step();
   run.restart.begin(run.state);
@@ -83,7 +87,7 @@ RunEstimate Simulation::estimate() {
   const double begun = clock_seconds();
   int n_steps = 0;
   while (!control().is_over(state().time, state().dt) && n_steps < max_steps &&
-         clock_seconds() - begun < max_seconds) {
+         run.of_root(clock_seconds() - begun < max_seconds)) {
     run.advance();
     ++n_steps;
   }
@@ -113,10 +117,11 @@ void Simulation::step() {
   Parts& run = *parts_;
   try_to([&] {
     if (!run.advance()) return stop(run.find_stop().value());
+    if (run.energy_warnings.reads_elements(run.state)) run.complete_state();
     run.energy_warnings.step(run.state);
     if (run.load_steps) run.load_step_warnings.step(run.state, run.load_steps->report());
     if (run.contact && !run.load_steps) run.contact->stop_at_runaway(run.state);
-    if (run.contact) run.contact->watch(run.state);
+    if (run.contact) run.contact->watch(run.state, [&run] { run.complete_state(); });
     end_step();
     store(false, false);
   });
@@ -139,6 +144,7 @@ void Simulation::end_step() {
 
 void Simulation::finish() {
   Parts& run = *parts_;
+  run.complete_state();
   if (!run.failure) {
     run.energy_warnings.end(run.state);
     // A run that resumes from here must not know that this one ended: the state comes first.
@@ -150,7 +156,7 @@ void Simulation::finish() {
   if (run.contact) run.contact->warn_of_end(run.state, run.diagnostics);
   if (run.is_settling()) run.warn_of_preload();
   notify(RunEvent::ended);
-  if (run.contact) run.contact->write_debug_files();
+  if (run.contact) on_root(run.settings.ranks, [&] { run.contact->write_debug_files(); });
 }
 
 void Simulation::stop_when(std::function<std::optional<std::string>()> find_stop) {
@@ -165,8 +171,10 @@ void Simulation::store_restart() { store(false, true); }
 
 void Simulation::store(bool is_last, bool is_wanted) {
   add_time(parts_->restart_seconds, [&] {
-    if (parts_->restart.store(parts_->checkpoint(), is_last, is_wanted))
-      parts_->outputs.write_at_restart(parts_->state);
+    if (!parts_->restart.is_due(parts_->state, is_last, is_wanted)) return;
+    parts_->complete_state();
+    parts_->restart.store(parts_->checkpoint());
+    parts_->outputs.write_at_restart(parts_->state);
   });
 }
 

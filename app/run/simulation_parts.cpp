@@ -16,6 +16,7 @@
 #include "core/definition/simulation.hpp"
 #include "core/dynamics/state_motion.hpp"
 #include "core/interface_laws/interface_law_table.hpp"
+#include "core/parallel/on_root.hpp"
 
 namespace contactsim {
 
@@ -51,6 +52,28 @@ std::unique_ptr<RunDeath> make_death(const ConditionScope& scope, Setup& setup, 
                                     DeathParts{setup.external, contact});
 }
 
+/// The nodes that all ranks have to follow, beside those that conditions hold or load: of contact, and all
+/// where surfaces may change.
+std::vector<NodeIndex> nodes_everywhere(const RunInput& input, const Setup& setup,
+                                        const RunContact* contact) {
+  std::vector<NodeIndex> nodes;
+  if (!input.region.element_deaths.empty()) {
+    for (std::uint32_t i = 0; i < input.mesh.n_nodes(); ++i) nodes.push_back({i});
+    return nodes;
+  }
+  setup.external.add_nodes_where_place_counts(nodes);
+  if (contact == nullptr) return nodes;
+  for (const std::uint32_t node : contact->force().contact_mesh().mesh_nodes) nodes.push_back({node});
+  return nodes;
+}
+
+/// Load steps look at all elements in each trial: every rank advances them all.
+std::unique_ptr<RankShare> make_share(Ranks& ranks, const RunInput& input, const Setup& setup,
+                                      const RunContact* contact) {
+  if (!ranks.are_several() || setup.load_schedule) return nullptr;
+  return std::make_unique<RankShare>(ranks, setup.model, nodes_everywhere(input, setup, contact));
+}
+
 /// Has the last two steps be of equal size, so that none vanishes, and end at a time.
 StepTarget make_last_target(double time) {
   const double round_off = 1e-12 * std::abs(time);
@@ -67,17 +90,20 @@ Simulation::Parts::Parts(const RunInput& run_input, RunSettings run_settings, Di
       scope{input.definition, input.region, input.procedure.time_control->time_stepping_blocks, input.mesh,
             diagnostics},
       contact(make_contact(input, setup.model)),
-      outputs(scope, setup.model, output_settings(input, settings, contact.get())),
+      outputs(scope, setup.model,
+              output_settings(input, settings, contact.get(), [this] { complete_state(); })),
       death(make_death(scope, setup, outputs, contact.get())),
-      restart(input, diagnostics),
+      restart(input, settings.ranks, diagnostics),
       marks(restart.stores() ? find_run_marks(input, setup.model) : std::vector<RunMark>{}),
       state(make_state(input.mesh.coordinates(), setup.model.blocks, setup.control.start_time())),
-      internal(setup.model, state),
+      share(make_share(settings.ranks, input, setup, contact.get())),
+      internal(setup.model, state, share.get()),
       timed_internal(internal),
       timed_external(setup.external),
       energy_warnings(setup.model, diagnostics),
       load_step_warnings(diagnostics) {
   stop_on_errors(diagnostics);
+  if (share != nullptr) setup.external.follow(share->followed());
   // A value of every node: not to be kept.
   set_initial_state(std::exchange(setup.initial, {}), setup.model.blocks, state);
   if (death) death->begin(state);
@@ -113,7 +139,7 @@ void Simulation::Parts::prepare_files() {
 void Simulation::Parts::check_files() const {
   std::vector<std::string> paths = outputs.paths();
   if (contact) std::ranges::copy(contact->paths(), std::back_inserter(paths));
-  check_output_paths(settings.kept_files, paths);
+  on_root(settings.ranks, [&] { check_output_paths(settings.kept_files, paths); });
 }
 
 std::optional<EarlyEnd> Simulation::Parts::find_end() {
@@ -197,12 +223,19 @@ void Simulation::Parts::take_over() {
 bool Simulation::Parts::advance() {
   if (load_steps) return load_steps->advance();
   const bool was_settling = is_settling();
-  contactsim::advance(setup.model, terms(), setup.control, state);
+  contactsim::advance(setup.model, terms(), setup.control, state, share.get());
   if (was_settling && !is_settling()) warn_of_preload();
   return true;
 }
 
+void Simulation::Parts::complete_state() {
+  if (share == nullptr || complete_step == state.step) return;
+  share->complete(state);
+  complete_step = state.step;
+}
+
 void Simulation::Parts::let_die() {
+  complete_state();
   const bool has_any = death->step(state);
   if (!load_steps || !has_any) return;
   load_steps->note_deaths();
@@ -211,7 +244,7 @@ void Simulation::Parts::let_die() {
 
 void Simulation::Parts::start_anew() {
   if (load_steps) return load_steps->start(setup.transfer.has_value());
-  at_start = start(setup.model, terms(), setup.control, state);
+  at_start = start(setup.model, terms(), setup.control, state, share.get());
   if (takes_over_contact) {
     // Contact has held before: it gives out nothing as the run begins, and counts from here on.
     Energies& energies = state.energies;

@@ -18,6 +18,7 @@
 #include "app/run/timed_force.hpp"
 #include "core/conditions/condition_scope.hpp"
 #include "core/dynamics/internal_force.hpp"
+#include "core/dynamics/rank_share.hpp"
 #include "core/output/output_plan.hpp"
 #include "core/statics/load_steps.hpp"
 
@@ -48,6 +49,10 @@ struct Simulation::Parts {
   bool advance();
   /// Has elements die that should at the end of a step, and load steps follow.
   void let_die();
+  /// Has the state hold what other ranks know of it, for who reads more than a step leaves on each.
+  void complete_state();
+  /// What rank 0 says, which alone looks at a clock.
+  bool of_root(bool value) const { return settings.ranks.of_root(value); }
   /// Why the run ends with its state, if it does.
   std::optional<EarlyEnd> find_end();
   std::vector<PartTime> times() const;
@@ -65,6 +70,8 @@ struct Simulation::Parts {
   RunRestart restart;
   const std::vector<RunMark> marks;  // of runs that store states
   State state;
+  const std::unique_ptr<RankShare> share;  // of explicit procedures on several ranks, else null
+  std::int64_t complete_step = -1;         // whose state is complete
   InternalForce internal;
   TimedForce timed_internal, timed_external;
   std::optional<TimedForce> timed_contact;

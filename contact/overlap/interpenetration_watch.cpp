@@ -51,13 +51,13 @@ bool InterpenetrationWatch::has_moved_far(const ContactMoment& moment) const {
   });
 }
 
-void InterpenetrationWatch::step(const ContactMoment& moment, int n_steps) {
+bool InterpenetrationWatch::is_look_due(const ContactMoment& moment, int n_steps) {
   if (before_.empty()) {
     before_ = places_of(moment);
     n_since_ = 0;
-    return;
+    return false;
   }
-  if (++n_since_ % n_steps == 0 && has_moved_far(moment)) look(moment);
+  return ++n_since_ % n_steps == 0 && has_moved_far(moment);
 }
 
 void InterpenetrationWatch::look(const ContactMoment& moment) {

@@ -49,10 +49,11 @@ class InterpenetrationWatch {
     for (const StartOverlap& overlap : overlaps) of_pair_[overlap.pair].start_depth = overlap.deepest;
   }
 
-  /// To be called after every step. Looks once some node may have gone by a quarter of the least
-  /// thickness, as seen from the mean of all.
+  /// To be called after every step: whether some node may have gone by a quarter of the least thickness
+  /// since the last look, as seen from the mean of all. Of the coordinates it reads those of contact nodes.
   ///   n_steps  that pass at least between two looks
-  void step(const ContactMoment& moment, int n_steps);
+  bool is_look_due(const ContactMoment& moment, int n_steps);
+  /// Reads the coordinates of all nodes.
   void look(const ContactMoment& moment);
   /// Contact nodes have other numbers from now on: ways begin anew.
   void renumber() { before_.clear(); }

@@ -134,7 +134,9 @@ void OutputPlan::open_files() {
 
 std::optional<EarlyEnd> OutputPlan::check_termination(const State& state) {
   const OutputContext context{model_, state};
-  user_outputs_.compute(context, !terminations_.is_empty() || settings_.always_computes);
+  const bool are_needed = !terminations_.is_empty() || settings_.always_computes;
+  if (are_needed || user_outputs_.has_every_step()) settings_.complete_state();
+  user_outputs_.compute(context, are_needed);
   return terminations_.find_end(context);
 }
 
@@ -169,6 +171,7 @@ void OutputPlan::write(const State& state, bool is_last) {
   if (!std::exchange(is_open_, true)) open_files();
   const OutputContext context{model_, state};
   const bool is_any_due = find_due({state.step, state.time, is_last});
+  if (is_any_due) settings_.complete_state();
   user_outputs_.compute(context, is_any_due);
   for (Results& results : results_) {
     if (!results.is_due) continue;
@@ -187,6 +190,7 @@ void OutputPlan::write_at_restart(const State& state) {
     const auto monitored = heartbeat.plan.file.form.monitored;
     if (monitored != HeartbeatOutput::Monitored::restart || heartbeat.last_step == state.step) continue;
     const OutputContext context{model_, state};
+    settings_.complete_state();
     user_outputs_.compute(context, true);
     heartbeat.write(state, context);
   }

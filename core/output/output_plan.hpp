@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -22,6 +23,8 @@ struct OutputSettings {
   std::vector<SideSet> side_sets;           ///< that results files hold besides those of the mesh
   std::vector<NodeSet> node_sets;           ///< likewise
   bool always_computes = false;             ///< someone reads what the deck computes after every step
+  /// Called before values of a state are read: what other ranks know of it has to arrive.
+  std::function<void()> complete_state = [] {};
 };
 
 /// What a file of a run would come to.

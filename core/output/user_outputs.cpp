@@ -232,6 +232,10 @@ UserOutputs::UserOutputs(const ConditionScope& scope, OutputVariables& variables
   UserOutputMaker(scope, variables, *this).make();
 }
 
+bool UserOutputs::has_every_step() const {
+  return std::ranges::any_of(computations_, &Computation::is_every_step);
+}
+
 void UserOutputs::archive(StateArchive& saved) {
   for (const auto& [name, values] : stored_) {
     if (values != nullptr) values->archive("user_variables/" + name, saved);

@@ -27,6 +27,9 @@ class UserOutputs {
   /// needed the others. Each is computed once a step, however often it is asked for.
   void compute(const OutputContext& context, bool are_needed);
 
+  /// Whether some are computed at every step.
+  bool has_every_step() const;
+
   /// Saves or restores the values, whether the deck says USE WITH RESTART or not.
   void archive(StateArchive& saved);
 

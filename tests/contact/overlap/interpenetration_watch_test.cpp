@@ -37,7 +37,7 @@ struct Watched {
                    std::span<const StartOverlap> overlaps = {})
       : bodies(builder, general_contact(lines)), watch(bodies.definition, bodies.mesh, overlaps) {
     bodies.ask();
-    watch.step(moment(), 1);
+    if (watch.is_look_due(moment(), 1)) watch.look(moment());
   }
   ContactMoment moment() const {
     return {bodies.contact.kinematics(), bodies.contact.rules(), bodies.x, alive, bodies.time};
