@@ -22,6 +22,7 @@ namespace contactsim {
 struct DeckWay {
   const Options& options;
   const SimulationDefinition& definition;
+  Ranks& ranks;
   StopSignals& signals;
   Log& log;
   Diagnostics& warnings;

@@ -6,6 +6,8 @@
 
 #include <cstdio>
 #include <filesystem>
+#include <limits>
+#include <memory>
 
 #include "app/cli/convert_mesh.hpp"
 #include "app/cli/exit_guard.hpp"
@@ -25,6 +27,9 @@
 #include "core/base/errors.hpp"
 #include "core/base/pluralize.hpp"
 #include "core/base/version.hpp"
+#include "core/dynamics/node_shares.hpp"
+#include "core/parallel/load_ranks.hpp"
+#include "core/parallel/on_root.hpp"
 #include "parser/explain.hpp"
 
 namespace contactsim {
@@ -38,12 +43,12 @@ void write_summary(const Diagnostics& warnings, Log& log) {
   log.write(warnings);
 }
 
-ExitCode run(const Options& options, StopSignals& signals, Log& log, RunSummary& summary,
+ExitCode run(const Options& options, Ranks& ranks, StopSignals& signals, Log& log, RunSummary& summary,
              ReportDraft& draft) {
   Diagnostics warnings;
   const auto work = [&] {
     try {
-      const ExitCode code = run_deck(options, signals, log, warnings, summary, draft);
+      const ExitCode code = run_deck(options, ranks, signals, log, warnings, summary, draft);
       write_summary(warnings, log);
       summary.found = warnings;
       const bool is_too_strict = options.is_strict && code == ExitCode::done && !warnings.empty();
@@ -68,13 +73,17 @@ ExitCode run(const Options& options, StopSignals& signals, Log& log, RunSummary&
 }
 
 /// The run with its log, from beginning to end.
-ExitCode run_with_log(const Options& options, StopSignals& signals, RunSummary& summary, ReportDraft& draft) {
-  Log log(log_path(options), options.is_quiet);
+ExitCode run_with_log(const Options& options, Ranks& ranks, StopSignals& signals, RunSummary& summary,
+                      ReportDraft& draft) {
+  std::optional<Log> of_rank;
+  on_root(ranks, [&] { of_rank.emplace(log_path(options), options.is_quiet); });
+  Log& log = of_rank ? *of_rank : of_rank.emplace();
   log.write(fmt::format("contactsim {}\n", version));
-  log.write_to_file(format_run_head(options.command_line, options.definitions, omp_get_max_threads()));
-  const ExitCode code = run(options, signals, log, summary, draft);
+  log.write_to_file(
+      format_run_head(options.command_line, options.definitions, ranks.count(), omp_get_max_threads()));
+  const ExitCode code = run(options, ranks, signals, log, summary, draft);
   summary.error_lines = log.errors();
-  log.close();
+  on_root(ranks, [&] { log.close(); });
   return code;
 }
 
@@ -100,7 +109,27 @@ Explanation explain_all(std::span<const std::string> words) {
   return explanation;
 }
 
-ExitCode start(const Options& options) {
+/// What the ranks but the first write: nothing.
+Options without_files(Options options) {
+  options.is_quiet = true;
+  for (auto* path : {&options.surfaces_json, &options.surfaces_csv, &options.surfaces_exodus,
+                     &options.summary, &options.report})
+    path->reset();
+  return options;
+}
+
+/// Ends all ranks, where some have stopped without the others: they would wait for ever.
+void end_together(Ranks& ranks, ExitCode code, std::span<const std::string> errors) {
+  constexpr double patience = 30.0;  // for a rank that has the same error a little later [s]
+  const bool is_done = code == ExitCode::done;
+  if (ranks.wait_for_all(is_done ? std::numeric_limits<double>::infinity() : patience)) return;
+  for (const std::string& line : errors) std::fprintf(stderr, "rank %d: %s\n", ranks.rank(), line.c_str());
+  std::fprintf(stderr, "rank %d has stopped, and the others have not: the run ends\n", ranks.rank());
+  ranks.abort(static_cast<int>(code));
+}
+
+///   errors  gains the lines that say why the run has stopped
+ExitCode run_on_rank(const Options& options, Ranks& ranks, std::vector<std::string>& errors) {
   check_deck_is_a_file(options.deck);
   const std::string clash = find_file_clash(files_read(options), files_written(options));
   if (!clash.empty()) {
@@ -109,22 +138,41 @@ ExitCode start(const Options& options) {
   }
   if (options.n_threads > 0) omp_set_num_threads(options.n_threads);
   const auto libraries = find_report_libraries(options);
-  StopSignals signals;
+  StopSignals signals(ranks);
   RunSummary summary = begin_summary(options);
   begin_summary_file(options, summary);
   ReportDraft draft;
   const auto write_line = [&](const std::string& line) {
-    std::fprintf(stderr, "%s\n", line.c_str());
+    if (ranks.is_root()) std::fprintf(stderr, "%s\n", line.c_str());
     summary.error_lines.push_back(line);
   };
-  summary.exit_code = guard_exit([&] { return run_with_log(options, signals, summary, draft); }, write_line);
+  summary.exit_code =
+      guard_exit([&] { return run_with_log(options, ranks, signals, summary, draft); }, write_line);
   if (libraries) {
     const auto work = [&] { return write_report_file(options, draft, summary, *libraries), ExitCode::done; };
     const ExitCode code = guard_exit(work, write_line);
     if (*summary.exit_code == ExitCode::done) summary.exit_code = code;
   }
   write_summary_file(options, summary);
+  errors = summary.error_lines;
   return *summary.exit_code;
+}
+
+ExitCode start(const Options& options) {
+  const std::unique_ptr<Ranks> several = load_ranks();
+  std::vector<std::string> errors;
+  if (several && several->count() > NodeShares::max_ranks)
+    throw FileError("mpirun", fmt::format("starts {} ranks, and a run takes {}", several->count(),
+                                          NodeShares::max_ranks));
+  if (!several) return run_on_rank(options, one_rank(), errors);
+  const Options own = several->is_root() ? options : without_files(options);
+  const ExitCode code = guard_exit([&] { return run_on_rank(own, *several, errors); },
+                                   [&](const std::string& line) {
+                                     if (several->is_root()) std::fprintf(stderr, "%s\n", line.c_str());
+                                     errors.push_back(line);
+                                   });
+  end_together(*several, code, errors);
+  return code;
 }
 
 }  // namespace

@@ -19,6 +19,7 @@
 #include "core/base/errors.hpp"
 #include "core/base/memory_error.hpp"
 #include "core/definition/simulation.hpp"
+#include "core/parallel/on_root.hpp"
 
 namespace contactsim {
 
@@ -79,7 +80,7 @@ void warn_of_hidden_tables(const Options& options, const std::vector<ChosenRegio
 
 }  // namespace
 
-ExitCode run_deck(const Options& options, StopSignals& signals, Log& log, Diagnostics& warnings,
+ExitCode run_deck(const Options& options, Ranks& ranks, StopSignals& signals, Log& log, Diagnostics& warnings,
                   RunSummary& summary, ReportDraft& draft) {
   const RunDeck deck = tell_lack_of_memory("reading the deck", [&] {
     return read_run_deck({options.deck, options.definitions, options.is_lenient, options.includes_folder},
@@ -94,7 +95,7 @@ ExitCode run_deck(const Options& options, StopSignals& signals, Log& log, Diagno
   summary.deck_digest = format_digest(deck.digest);
   draft.deck = deck.sources;
   check_procedures(definition, warnings);
-  log.begin(asks_to_resume(definition));
+  on_root(ranks, [&] { log.begin(asks_to_resume(definition)); });
   if (warnings.has_errors()) {
     if (options.stage != Stage::parse) add_name_errors(options, definition, warnings);
     throw DeckError(warnings);
@@ -112,7 +113,7 @@ ExitCode run_deck(const Options& options, StopSignals& signals, Log& log, Diagno
   if (options.stage == Stage::run) stop_on_errors(warnings);
   warn_of_hidden_tables(options, chosen, shown, warnings);
 
-  const DeckWay way{options, definition, signals, log, warnings, summary, draft};
+  const DeckWay way{options, definition, ranks, signals, log, warnings, summary, draft};
   MeshesByModel meshes;
   std::vector<PreparedRegion> regions;
   for (std::size_t i = 0; i < chosen.size(); ++i) {

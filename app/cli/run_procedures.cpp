@@ -138,9 +138,12 @@ class ProcedureRuns {
       if (file.path != options.results) kept.push_back(std::move(file));
     }
     const bool is_last = i + 1 == regions_.size();
-    return {is_last ? options.results : std::nullopt, options.command_line, std::move(kept),
+    return {is_last ? options.results : std::nullopt,
+            options.command_line,
+            std::move(kept),
             [&log = way_.log](std::string_view text) { log.write(text); },
-            !is_last && !regions_[i + 1].procedure.transfers.empty()};
+            !is_last && !regions_[i + 1].procedure.transfers.empty(),
+            way_.ranks};
   }
 
   void write_heading(std::size_t i) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "app/cli/stop_signal.hpp"
 
+#include <algorithm>
 #include <csignal>
 #include <utility>
 
@@ -31,7 +32,7 @@ void set_handler(int signal, void (*handler)(int), int flags) {
 
 }  // namespace
 
-StopSignals::StopSignals() {
+StopSignals::StopSignals(Ranks& ranks) : ranks_(ranks) {
   signal_to_end = 0;
   wants_restart = 0;
   // Writes to files go on after a signal, and a second one has its usual way.
@@ -43,9 +44,10 @@ StopSignals::StopSignals() {
 }
 
 std::optional<std::string> StopSignals::find_stop() const {
-  if (signal_to_end == 0) return std::nullopt;
-  if (signal_to_end == SIGHUP) return "SIGHUP";
-  return signal_to_end == SIGINT ? "SIGINT" : "SIGTERM";
+  const int signal = std::ranges::max(ranks_.of_all(int{signal_to_end}));
+  if (signal == 0) return std::nullopt;
+  if (signal == SIGHUP) return "SIGHUP";
+  return signal == SIGINT ? "SIGINT" : "SIGTERM";
 }
 
 void StopSignals::end_if_stopped() const {
@@ -53,9 +55,9 @@ void StopSignals::end_if_stopped() const {
 }
 
 bool StopSignals::take_restart_wish() {
-  const bool is_wanted = wants_restart != 0;
-  wants_restart = 0;
-  return is_wanted;
+  const int own = wants_restart;
+  if (own != 0) wants_restart = 0;
+  return std::ranges::max(ranks_.of_all(own)) != 0;
 }
 
 }  // namespace contactsim

@@ -5,6 +5,8 @@
 #include <optional>
 #include <string>
 
+#include "core/parallel/ranks.hpp"
+
 namespace contactsim {
 
 /// Thrown where a run ends before its first step because a signal came.
@@ -14,12 +16,13 @@ struct StoppedBySignal {
 
 /// What the system may ask of a run while it lasts: to end after the step (SIGTERM, SIGINT, and SIGHUP where
 /// it is not ignored) or to write a restart file (SIGUSR1). Who asks a second time to end ends the process.
-/// There is one of these at a time. What comes after it is noted in vain: the process is about to end with
-/// the exit code of the run.
+/// There is one of these at a time. A signal that reaches one rank ends the run on all. What comes after it
+/// is noted in vain: the process is about to end with the exit code of the run.
 class StopSignals {
  public:
   /// From now on signals are noted.
-  StopSignals();
+  ///   ranks  which call the functions below alike; they must outlive it
+  explicit StopSignals(Ranks& ranks = one_rank());
   StopSignals(const StopSignals&) = delete;
   StopSignals& operator=(const StopSignals&) = delete;
 
@@ -29,6 +32,9 @@ class StopSignals {
   void end_if_stopped() const;
   /// Whether a restart file was asked for since the last call.
   bool take_restart_wish();
+
+ private:
+  Ranks& ranks_;
 };
 
 }  // namespace contactsim

@@ -3,7 +3,9 @@
 
 #include <cstdio>
 #include <filesystem>
+#include <utility>
 
+#include "app/reports/progress.hpp"
 #include "app/reports/wrap_text.hpp"
 #include "core/base/errors.hpp"
 #include "core/base/file_paths.hpp"
@@ -25,12 +27,13 @@ const std::string& own_file(const std::string& path) {
 Log::Log(const std::string& path, bool is_quiet)
     : path_(own_file(path)),
       file_(path, std::ios::binary | std::ios::app),
-      lock_(path, "--log names another file"),
+      lock_(std::in_place, path, "--log names another file"),
       is_quiet_(is_quiet) {
   if (!file_) throw FileError(path, "the log file cannot be written");
 }
 
 void Log::begin(bool keeps_earlier) {
+  if (!has_file_) return;
   if (!keeps_earlier) {
     file_.close();
     file_.open(path_, std::ios::binary | std::ios::trunc);
@@ -65,17 +68,19 @@ void Log::write(std::string_view text) {
 }
 
 void Log::write(const Diagnostics& diagnostics) {
-  const bool is_terminal = isatty(STDERR_FILENO) != 0;
+  if (is_silent_) return;
+  const bool shows_pictures = is_terminal(STDERR_FILENO);
   std::fflush(stdout);
   for (const DiagnosticGroup& group : diagnostics.grouped()) {
     const std::string machine = format_machine(group);
-    write_to(stderr, is_terminal ? format_with_caret(group, true) : machine);
+    write_to(stderr, shows_pictures ? format_with_caret(group, true) : machine);
     write_to_file(machine);
   }
 }
 
 void Log::write_error(std::string_view line) {
   if (line.starts_with("error: ") || line.starts_with("contactsim: a bug")) errors_.emplace_back(line);
+  if (is_silent_) return;
   const std::string text = std::string(line) + "\n";
   std::fflush(stdout);
   write_to(stderr, text);

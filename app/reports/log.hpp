@@ -2,6 +2,7 @@
 #pragma once
 
 #include <fstream>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -20,6 +21,8 @@ class Log {
   /// it.
   ///   is_quiet  problems alone are printed
   explicit Log(const std::string& path, bool is_quiet = false);
+  /// Prints and writes nothing: of ranks whose first one has a log.
+  Log() : is_quiet_(true), is_silent_(true), has_file_(false) {}
 
   /// Until then what goes to the file is held. A file that is there is written over, or kept for a
   /// run that resumes: then what is new follows it. Throws FileError.
@@ -43,11 +46,11 @@ class Log {
  private:
   std::string path_;
   std::ofstream file_;
-  FileLock lock_;
+  std::optional<FileLock> lock_;
   std::string held_;
   std::vector<std::string> errors_;
+  bool is_quiet_, is_silent_ = false;
   bool has_begun_ = false, has_file_ = true;
-  bool is_quiet_ = false;
 };
 
 }  // namespace contactsim

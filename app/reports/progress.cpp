@@ -9,6 +9,7 @@
 #include <cstdio>
 
 #include "app/run/timed_force.hpp"
+#include "core/parallel/load_ranks.hpp"
 
 namespace contactsim {
 
@@ -24,6 +25,8 @@ std::string duration(double seconds) {
 
 }  // namespace
 
+bool is_terminal(int stream) { return n_started_processes() == 1 && isatty(stream) != 0; }
+
 std::string progress_line(double share, double elapsed) {
   constexpr int width = 30;
   const double done = std::clamp(share, 0.0, 1.0);
@@ -33,7 +36,7 @@ std::string progress_line(double share, double elapsed) {
 }
 
 Progress::Progress(double start, double end)
-    : start_(start), end_(end), begun_(clock_seconds()), is_terminal_(isatty(STDOUT_FILENO) != 0) {}
+    : start_(start), end_(end), begun_(clock_seconds()), is_terminal_(is_terminal(STDOUT_FILENO)) {}
 
 Progress::~Progress() { wipe(); }
 

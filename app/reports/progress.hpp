@@ -5,6 +5,10 @@
 
 namespace contactsim {
 
+/// Whether somebody looks at a standard stream as it is written. mpirun gives its processes terminals of its
+/// own, whatever the output goes to.
+bool is_terminal(int stream);
+
 /// A line at the closest point of a terminal that says how far a run is and how long it will take. Where
 /// standard output is no terminal there is none of it.
 class Progress {

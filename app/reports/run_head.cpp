@@ -43,11 +43,12 @@ double resident_memory() {
 }  // namespace
 
 std::string format_run_head(const std::string& command_line, std::span<const std::string> definitions,
-                            int n_threads) {
+                            int n_ranks, int n_threads) {
   const std::time_t now = std::time(nullptr);
   std::string text =
       fmt::format("  date       {:%Y-%m-%d %H:%M:%S} UTC\n  command    {}\n", fmt::gmtime(now), command_line);
   if (!definitions.empty()) text += fmt::format("  variables  {}\n", fmt::join(definitions, " "));
+  if (n_ranks > 1) text += fmt::format("  ranks      {}\n", n_ranks);
   return text + fmt::format("  host       {}, {} of {} processors, {}\n", host_name(), n_threads,
                             sysconf(_SC_NPROCESSORS_ONLN), processor_name());
 }

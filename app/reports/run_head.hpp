@@ -9,10 +9,10 @@
 /// What a log holds of the machine and the moment of a run, which no two runs share.
 namespace contactsim {
 
-/// Date, command line, values of -D, threads, host and its processor.
+/// Date, command line, values of -D, ranks, threads of each, host and its processor.
 ///   definitions  "name=value"
 std::string format_run_head(const std::string& command_line, std::span<const std::string> definitions,
-                            int n_threads);
+                            int n_ranks, int n_threads);
 
 /// Steps and element-steps of a run that has been checked; the same on every machine.
 std::string format_estimate(const RunEstimate& estimate);

@@ -13,8 +13,8 @@ TEST_CASE("the head of a log has moment, command and machine, variables where th
   const std::regex whole(
       "  date       \\d{4}-\\d\\d-\\d\\d \\d\\d:\\d\\d:\\d\\d UTC\n  command    contactsim a\\.i\n"
       "  host       [^\n]+, 3 of \\d+ processors, [^\n]+\n");
-  CHECK(std::regex_match(format_run_head("contactsim a.i", {}, 3), whole));
-  const std::string text = format_run_head("contactsim a.i", variables, 3);
+  CHECK(std::regex_match(format_run_head("contactsim a.i", {}, 1, 3), whole));
+  const std::string text = format_run_head("contactsim a.i", variables, 1, 3);
   CHECK_THAT(text, Catch::Contains("\n  command    contactsim a.i\n  variables  mu=0.1 name=a b\n  host "));
 }
 
