@@ -27,7 +27,7 @@ LOG_LINES = 45
 
 def all_pages():
     """Sources of pages and the names of what is made of them, in the order of the contents."""
-    pages = {PAGES / "users_guide.md": "index.html", PAGES / "meshes.md": "meshes.html",
+    pages = {PAGES / "users_guide.md": "index.html", PAGES / "meshes.md": "meshes.html", PAGES / "cluster.md": "cluster.html",
              PAGES / "theory.md": "theory.html", SOURCE / "decks/VALIDATION.md": "validation.html"}
     for module in ROOMS:
         found = [SOURCE / module / "README.md"] + sorted((SOURCE / module).glob("*/README.md"))

@@ -28,6 +28,8 @@ def told(log):
 
 
 class ThreadEquality:
+    counts, what = THREADS, "threads"
+
     def __init__(self, campaign, folder):
         self.program, self.folders = campaign.program, (folder / "one", folder / "more")
         self.samples = Samples(campaign.source, folder)
@@ -55,10 +57,10 @@ class ThreadEquality:
     def compare(self, rng):
         """The harm, and the name of the deck."""
         sample, text, words = self.draw(rng)
-        n_threads = rng.choice(THREADS)
-        one, more = (self.run(sample, text, words, n, folder) for n, folder in zip((1, n_threads), self.folders))
+        count = rng.choice(self.counts)
+        one, more = (self.run(sample, text, words, n, folder) for n, folder in zip((1, count), self.folders))
         self.codes[one.code] += 1
-        name = f"{sample.name}, {n_threads} threads"
+        name = f"{sample.name}, {count} {self.what}"
         if one.is_late or more.is_late:
             return "", name
         harm = harm_of_end(more, (0, 2, 3, 4))
