@@ -20,8 +20,8 @@ class ModelFreeDirections {
   /// the last call.
   bool update(const Model& model, double time);
 
-  /// Projection on the free directions of a node of the mesh or of a rigid body, by its position; null where
-  /// no condition acts.
+  /// Projection on the free directions of a node of the mesh or of a rigid body, by its position: on all of
+  /// them while none of its conditions acts. Null of what no condition is of.
   const Eigen::Matrix3d* of_node(std::uint32_t node) const { return nodes_.find(node); }
   const Eigen::Matrix3d* of_turns(std::uint32_t node) const { return turns_.find(node); }
   const Eigen::Matrix3d* of_body(std::uint32_t body) const { return bodies_.find(body); }

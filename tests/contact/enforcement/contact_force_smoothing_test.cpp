@@ -10,6 +10,7 @@
 #include "contact/overlap/start_overlaps.hpp"
 #include "contact/surfaces/surface_tracker.hpp"
 #include "support/catch.hpp"
+#include "support/ring_mesh.hpp"
 #include "support/stacked_cubes.hpp"
 
 using namespace contactsim;
@@ -23,27 +24,10 @@ const std::string smooth =
     "begin surface smoothing round\nsurface = inner outer\ncircumferential axis = 0 0 0 0 0 1\nend\n";
 const std::string stiff = "penalty stiffness = 1e6\n";
 
-void add_ring(MeshBuilder& b, std::int64_t id, const std::string& name, int n, double from, double to,
-              double turn) {
-  std::vector<std::uint32_t> nodes;
-  const auto node = [&](int k, double r, double z) {
-    const double angle = turn + 2.0 * std::numbers::pi * k / n;
-    return b.add_node({r * std::cos(angle), r * std::sin(angle), z}).value;
-  };
-  std::vector<std::array<std::uint32_t, 4>> spokes;
-  for (int k = 0; k < n; ++k)
-    spokes.push_back({node(k, from, 0.0), node(k, to, 0.0), node(k, from, width), node(k, to, width)});
-  for (int k = 0; k < n; ++k) {
-    const auto &a = spokes[static_cast<std::size_t>(k)], &c = spokes[static_cast<std::size_t>((k + 1) % n)];
-    for (const std::uint32_t i : {a[0], a[1], c[1], c[0], a[2], a[3], c[3], c[2]}) nodes.push_back(i);
-  }
-  b.add_block(id, name, Shape::hex8, nodes);
-}
-
 MeshBuilder rings(double turn = 0.0, double more = interference) {
   MeshBuilder b;
-  add_ring(b, 1, "inner", 16, 0.8, 1.0 + more, turn);
-  add_ring(b, 2, "outer", 24, 1.0, 1.2, 0.0);
+  add_ring(b, {1, "inner", 16, 0.8, 1.0 + more, turn, width});
+  add_ring(b, {2, "outer", 24, 1.0, 1.2, 0.0, width});
   return b;
 }
 

@@ -5,36 +5,14 @@
 
 #include "support/catch.hpp"
 #include "support/contact_bodies.hpp"
+#include "support/plate_and_tet.hpp"
 
 using namespace contactsim;
 using namespace contactsim::test;
 
-namespace {
-
-/// A plate of 3 x 3 x 1 cells of size 1 x 1 x 0.5, and a tetrahedron far away.
-MeshBuilder plate_and_tet() {
-  MeshBuilder b;
-  b.add_hexes({.id = 1, .cells = {3, 3, 1}, .size = {3, 3, 0.5}});
-  const std::uint32_t first = b.add_node({9, 0, 0}).value;
-  b.add_node({10, 0, 0});
-  b.add_node({9, 1, 0});
-  b.add_node({9, 0, 3});
-  b.add_block(2, "", Shape::tet4, {first, first + 1, first + 2, first + 3});
-  b.add_side_set(1, "top", [](const CandidateSide& c) { return c.block_id == 1 && c.centroid.z() == 0.5; });
-  b.add_side_set(2, "floor", [](const CandidateSide& c) { return c.block_id == 2 && c.centroid.z() == 0.0; });
-  b.add_node_set(1, "tips", [](const Eigen::Vector3d& x) { return x.z() == 3.0 || x.x() == 0.0; });
-  return b;
-}
-
-const std::string surfaces =
-    "contact surface a contains top\ncontact surface b contains floor\n"
-    "contact node set n contains tips\n";
-
-}  // namespace
-
 TEST_CASE("contact numbers the nodes of its surfaces alone, in the order of the mesh",
           "[contact][contact_mesh]") {
-  const ContactParts parts(plate_and_tet(), general_contact("", surfaces));
+  const ContactParts parts(plate_and_tet(), general_contact("", plate_and_tet_surfaces));
   const ContactMesh& contact_mesh = parts.contact_mesh;
   // 16 of the top, 3 of the floor, 8 at x = 0 of which 4 are of the top, one tip.
   CHECK(contact_mesh.n_nodes() == 16 + 3 + 4 + 1);
@@ -50,25 +28,9 @@ TEST_CASE("contact numbers the nodes of its surfaces alone, in the order of the 
 }
 
 TEST_CASE("behind a face is its element: volume over area", "[contact][contact_mesh]") {
-  const ContactParts parts(plate_and_tet(), general_contact("", surfaces));
+  const ContactParts parts(plate_and_tet(), general_contact("", plate_and_tet_surfaces));
   for (const ContactFace& face : parts.contact_mesh.faces)
     CHECK(face.penalty_properties.thickness == Approx(face.is_triangle() ? 1.0 : 0.5));
-}
-
-TEST_CASE("the nodes of a surface share its area", "[contact][contact_mesh]") {
-  const ContactParts parts(plate_and_tet(), general_contact("", surfaces));
-  double total = 0.0;
-  for (std::uint32_t i = 0; i < 16; ++i) {
-    const SurfaceNode& node = parts.contact_mesh.surface_nodes[{i}];
-    const Eigen::Vector3d x = parts.mesh.coordinates().col(parts.contact_mesh.mesh_nodes[node.node]);
-    const bool at_x = x.x() == 0.0 || x.x() == 3.0, at_y = x.y() == 0.0 || x.y() == 3.0;
-    CHECK(node.area == Approx(at_x && at_y ? 0.25 : at_x || at_y ? 0.5 : 1.0));
-    CHECK(node.penalty_properties.thickness == Approx(0.5));
-    total += node.area;
-  }
-  CHECK(total == Approx(9.0));
-  for (std::uint32_t i = 16; i < 19; ++i)
-    CHECK(parts.contact_mesh.surface_nodes[{i}].area == Approx(0.5 / 3.0));
 }
 
 TEST_CASE("a six-node face is one row of ownership and four facets of contact, which all nodes carry",
@@ -99,7 +61,7 @@ TEST_CASE("a six-node face is one row of ownership and four facets of contact, w
 }
 
 TEST_CASE("a node knows the faces that have it", "[contact][contact_mesh]") {
-  const ContactParts parts(plate_and_tet(), general_contact("", surfaces));
+  const ContactParts parts(plate_and_tet(), general_contact("", plate_and_tet_surfaces));
   const ContactMesh& contact_mesh = parts.contact_mesh;
   REQUIRE(contact_mesh.faces_of_node.n_rows() == contact_mesh.n_nodes());
   for (const ContactNodeIndex node : contact_mesh.nodes()) {
@@ -138,7 +100,7 @@ TEST_CASE("nodes of a set that no outside face has stand for a cube of their mas
 }
 
 TEST_CASE("what stands behind faces is as stiff and as heavy as its material", "[contact][contact_mesh]") {
-  const ContactBodies bodies(plate_and_tet(), general_contact("", surfaces));
+  const ContactBodies bodies(plate_and_tet(), general_contact("", plate_and_tet_surfaces));
   ContactMesh contact_mesh = make_contact_mesh(bodies.definition, bodies.mesh);
   add_penalty_properties(bodies.model, contact_mesh);
   CHECK(contact_mesh.faces[{0}].penalty_properties.mass_per_area == Approx(0.5 * 0.5));
@@ -147,16 +109,4 @@ TEST_CASE("what stands behind faces is as stiff and as heavy as its material", "
   REQUIRE(contact_mesh.mass.size() == contact_mesh.n_nodes());
   // A corner of the plate has an eighth of a cell of volume 0.5.
   CHECK(*std::min_element(contact_mesh.mass.begin(), contact_mesh.mass.end()) == Approx(0.5 / 8));
-}
-
-TEST_CASE("a node of a set that has no face all in the set takes its share of all its outside faces",
-          "[contact][contact_mesh]") {
-  const ContactParts parts(plate_and_tet(), general_contact("", surfaces));
-  // Faces at x = 0 are all in the set; the tip of the tetrahedron is a corner of three of its faces.
-  const SurfaceNode& tip = parts.contact_mesh.surface_nodes.back();
-  CHECK(parts.mesh.coordinates()(2, parts.contact_mesh.mesh_nodes[tip.node]) == 3.0);
-  CHECK(tip.area == Approx((1.5 + 1.5 + 0.5 * std::sqrt(19.0)) / 3.0));
-  double at_side = 0.0;
-  for (std::uint32_t i = 19; i < 27; ++i) at_side += parts.contact_mesh.surface_nodes[{i}].area;
-  CHECK(at_side == Approx(1.5));
 }

@@ -3,8 +3,6 @@
 
 #include <cmath>
 
-#include <set>
-
 #include "support/catch.hpp"
 #include "support/watched_contact.hpp"
 
@@ -237,49 +235,5 @@ TEST_CASE("the slip rate is told along friction and across it", "[contact][conta
     CHECK((parts.col(i) - Vector3d(is_low ? -0.01 : 0.0, 0, 0)).norm() < 1e-12);
     CHECK((friction.col(i) - Vector3d(is_low ? -1.25 : 0.0, 0, 0)).norm() < 1e-3);
     CHECK((normal.col(i) - Vector3d(0, 0, is_low ? 2.5 : 0.0)).norm() < 1e-3);
-  }
-}
-
-TEST_CASE("ties show their forces, and none outside their periods", "[contact][contact_output]") {
-  Watched bodies(
-      general_contact("penalty stiffness = 1000\nfriction model = tied\n",
-                      "contact surface low contains block_1\ncontact surface high contains block_2\n"));
-  bodies.ask();
-  bodies.shift(1, {0, 0, 0.01});
-  bodies.ask();
-  bodies.take(1);
-  CHECK((bodies.global("contact_force_high") + Vector3d(0, 0, 10)).norm() < 1e-10);
-  CHECK((bodies.global("contact_force_low") - Vector3d(0, 0, 10)).norm() < 1e-10);
-  CHECK(bodies.global("contact_area_low_high").x() == Approx(1.0));
-  CHECK(bodies.nodal("contact_normal_force_magnitude").row(0).sum() == Approx(20.0));
-}
-
-TEST_CASE("every contact variable has a name of its own and a line of help", "[contact][contact_output]") {
-  std::set<std::string_view> names, of_totals;
-  for (const ContactNodeRow& row : contact_node_rows()) {
-    CHECK(names.insert(row.name).second);
-    CHECK(!row.help.empty());
-    CHECK(row.help.back() == ']');
-  }
-  for (const ContactTotalRow& row : contact_total_rows()) CHECK(of_totals.insert(row.name).second);
-}
-
-TEST_CASE("groups stand for variables that there are, and other names for ours",
-          "[contact][contact_output]") {
-  std::set<std::string> known, names;
-  for (const ContactNodeRow& row : contact_node_rows()) known.insert(std::string(row.name));
-  for (const OutputGroup& group : contact_output_names().groups) {
-    CHECK(names.insert(std::string(group.name)).second);
-    CHECK(group.help.back() == ']');
-    for (const std::string_view member : group.members) CHECK(known.contains(std::string(member)));
-    known.insert("the group " + std::string(group.name));
-  }
-  for (const ContactTotalRow& row : contact_total_rows()) known.insert(std::string(row.name) + "_<surface>");
-  for (const ForeignVariable& foreign : contact_output_names().foreign) {
-    INFO(foreign.name);
-    CHECK(names.insert(std::string(foreign.name)).second);
-    const std::string ours = fold(foreign.ours),
-                      first = std::string(foreign.ours.substr(0, foreign.ours.find_first_of(",(")));
-    CHECK((known.contains(first) || ours == "the_group_cstress"));
   }
 }

@@ -6,6 +6,7 @@
 
 #include "support/catch.hpp"
 #include "support/contact_bodies.hpp"
+#include "support/pair_sets.hpp"
 #include "support/random_faces.hpp"
 
 using namespace contactsim;
@@ -13,17 +14,6 @@ using namespace contactsim::test;
 using Eigen::Vector3d;
 
 namespace {
-
-using Pairs = std::set<std::pair<std::uint32_t, std::uint32_t>>;
-
-Pairs in_set(const PairTable& lists) {
-  Pairs pairs;
-  for (std::uint32_t row = 0; row < lists.n_rows(); ++row) {
-    CHECK(std::is_sorted(lists.of(row).begin(), lists.of(row).end()));
-    for (const std::uint32_t partner : lists.of(row)) pairs.insert({row, partner});
-  }
-  return pairs;
-}
 
 /// Bricks of hexahedra and of tetrahedra that lie about in a cube of edge 6, some in each other.
 MeshBuilder scattered_bricks(Random& random) {
@@ -143,45 +133,6 @@ TEST_CASE("the candidates of flying bricks equal a sweep of all pairs of faces",
   }
   CHECK(n_found > 400);
   CHECK(search.n_searches() == 20);
-}
-
-TEST_CASE("the opposite skins of a plate do not meet, however thin it is; those of two plates do",
-          "[contact][contact_search]") {
-  const std::string formulation = GENERATE("", "constraint formulation = node_face\n");
-  const int n_layers = GENERATE(1, 2);
-  MeshBuilder b;
-  b.add_hexes({.id = 1, .cells = {6, 6, n_layers}, .size = {6, 6, 0.05}});
-  b.add_hexes(
-      {.id = 2, .cells = {1, 1, 1}, .origin = {2.2, 2.2, 0.06}, .size = {1, 1, 1}, .share_nodes = false});
-  ContactParts parts(b, general_contact("self contact = on\n" + formulation));
-  parts.search();
-  const Pairs faces = in_set(parts.face_partners);
-  std::size_t n_nodes = 0;
-  for (const auto& [row, face] : in_set(parts.node_faces))
-    n_nodes +=
-        parts.contact_mesh.surface_nodes[{row}].surface != parts.contact_mesh.faces[{face}].surface ? 1 : 0;
-  CHECK((formulation.empty() ? faces.size() : n_nodes) > 0);
-  for (const auto& [first, second] : faces)
-    CHECK(parts.contact_mesh.faces[{first}].surface != parts.contact_mesh.faces[{second}].surface);
-}
-
-TEST_CASE("a rigid body does not meet itself, two rigid bodies do", "[contact][contact_search]") {
-  const std::string formulation = GENERATE("", "constraint formulation = node_face\n");
-  MeshBuilder b;
-  b.add_hexes({.id = 1, .cells = {2, 2, 1}, .size = {2, 2, 1}});
-  b.add_hexes({.id = 2, .origin = {0.3, 0.4, 0.98}, .share_nodes = false});
-  ContactParts parts(b, general_contact(formulation));
-  const auto n_nodes = static_cast<std::size_t>(parts.mesh.coordinates().cols());
-  constexpr std::size_t n_of_first = 3 * 3 * 2;
-  for (const OptionalIndex<std::uint32_t> second :
-       {OptionalIndex<std::uint32_t>(0), OptionalIndex<std::uint32_t>(1), OptionalIndex<std::uint32_t>()}) {
-    std::vector<OptionalIndex<std::uint32_t>> body_of(n_nodes, second);
-    std::fill_n(body_of.begin(), n_of_first, 0);
-    ContactSearch search(parts.contact_mesh, parts.mesh, parts.rules, {}, {}, body_of);
-    parts.find_candidates(search);
-    const std::size_t n_found = parts.face_partners.partners.size() + parts.node_faces.partners.size();
-    CHECK((n_found == 0) == (second == OptionalIndex<std::uint32_t>(0)));
-  }
 }
 
 TEST_CASE("the candidates of nodes equal a sweep of all nodes and faces", "[contact][contact_search]") {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "contact/surfaces/surface_request.hpp"
 
+#include "support/asked_model.hpp"
 #include "support/catch.hpp"
 #include "support/contact_deck.hpp"
 #include "support/deck_dump.hpp"
@@ -13,39 +14,11 @@ using namespace contactsim::test;
 
 namespace {
 
-/// Elements: 1 a hexahedron, 2 a shell, 3 a beam, 4 a particle. Names on the mesh: block_1 plate, side set 10
-/// plate as well, block 2 skin, block_3, block 4 dust, node set 20 corners.
-MeshBuilder asked_model() {
-  MeshBuilder b;
-  b.add_hexes({.id = 1, .name = "plate"});
-  b.add_shells({.id = 2, .name = "skin", .origin = {0, 0, 5}});
-  b.add_beams({.id = 3, .from = {0, 7, 0}, .to = {1, 7, 0}});
-  b.add_spheres(4, "dust", {{0, 9, 0}});
-  b.add_side_set(10, "plate", {{{0}, 6}});
-  b.add_side_set(11, "edge", {{{1}, 1}, {{1}, 4}});
-  b.add_side_set(12, "tip", {{{2}, 1}});
-  b.add_node_set(20, "corners", {0, 1});
-  b.add_assembly(30, "mixed", EntityKind::block, {1, 4});
-  b.add_assembly(31, "points", EntityKind::node_set, {20});
-  b.add_assembly(32, "nothing", EntityKind::block, {});
-  b.add_assembly(33, "tops", EntityKind::side_set, {10});
-  return b;
-}
-
 std::string request_errors(const std::string& lines) {
   return resolve(asked_model().build(), lines).messages;
 }
 
 }  // namespace
-
-TEST_CASE("a block form that names nothing is an error", "[contact][request]") {
-  CHECK(request_errors("begin contact surface s\nend\n") ==
-        "c.i:1:23: error: contact surface 's' names nothing that it could hold; add a line BLOCK, ELEMENT, "
-        "SURFACE, ASSEMBLY or INCLUDE ALL BLOCKS\n");
-  const std::string removes =
-      request_errors("begin contact surface s\n remove block = block_1\n subset t with normal 1 0 0\nend\n");
-  CHECK(removes.rfind("c.i:1:23: error: contact surface 's' names nothing that it could hold;", 0) == 0);
-}
 
 TEST_CASE("two surfaces with one name are an error at the second", "[contact][request]") {
   CHECK(request_errors("contact surface Top contains block_1\n"
@@ -80,61 +53,6 @@ TEST_CASE("the name of a subset must be free", "[contact][request]") {
                        "  subset up with normal 0 0 1\n"
                        "end\n") ==
         "c.i:4:10: error: a second contact surface with the name 's_up'; the first stands at c.i:1:17\n");
-}
-
-TEST_CASE("ELEMENT takes lofted elements that exist", "[contact][request]") {
-  CHECK(request_errors("begin contact surface s\n  element = 2 1 99\nend\n") ==
-        "c.i:2:15: error: element 1 is a HEX8 of block 'plate'; ELEMENT picks lofted elements only (shells, "
-        "beams, particles)\n"
-        "c.i:2:17: error: the mesh has no element with id 99\n");
-}
-
-TEST_CASE("blocks of particles are no part of a block form", "[contact][request]") {
-  const std::string hint = "; use the line CONTACT SURFACE ... CONTAINS, or CONTACT NODE SET\n";
-  CHECK(request_errors("begin contact surface s\n  block = plate dust\nend\n") ==
-        "c.i:2:17: error: block 'dust' holds particles only, which BEGIN CONTACT SURFACE cannot take" + hint);
-  CHECK(request_errors("begin contact surface s\n  assembly = mixed\nend\n") ==
-        "c.i:2:14: error: block 'dust' holds particles only, which BEGIN CONTACT SURFACE cannot take" + hint);
-  CHECK(request_errors("begin contact surface s\n  assembly = mixed\n  remove block = dust\nend\n").empty());
-  CHECK(request_errors("begin contact surface s\n  element = 4\nend\n").empty());
-  CHECK(request_errors("contact surface s contains dust\n").empty());
-  CHECK(request_errors("contact node set s contains mixed\n").empty());
-}
-
-TEST_CASE("side sets of edges and nodes are no surfaces", "[contact][request]") {
-  const std::string edge =
-      "error: side set 'edge' holds side 4 of element 2 (SHELL4), which is an edge and no contact face\n";
-  CHECK(request_errors("contact surface s contains edge\n") == "c.i:1:28: " + edge);
-  CHECK(request_errors("begin contact surface s\n block = skin\n remove surface = edge\nend\n") ==
-        "c.i:3:19: " + edge);
-  CHECK(request_errors("contact surface s contains tip\n") ==
-        "c.i:1:28: error: side set 'tip' holds side 1 of element 3 (BEAM2), which is an edge and no contact "
-        "face\n");
-  CHECK(request_errors("contact surface s contains skin\n").empty());
-}
-
-TEST_CASE("the sides of bars are nodes and no surfaces", "[contact][request]") {
-  MeshBuilder b;
-  b.add_bars({.id = 1});
-  b.add_side_set(2, "", {{{0}, 2}});
-  CHECK(resolve(b.build(), "contact surface s contains surface_2\n").messages ==
-        "c.i:1:28: error: side set 'surface_2' holds side 2 of element 1 (BAR2), which is a node and no "
-        "contact "
-        "face\n");
-}
-
-TEST_CASE("assemblies must hold what the command takes", "[contact][request]") {
-  CHECK(request_errors("contact surface s contains points\n") ==
-        "c.i:1:28: error: assembly 'points' holds node set 'corners', which CONTACT SURFACE cannot take\n");
-  CHECK(request_errors("begin contact surface s\n assembly = points\nend\n") ==
-        "c.i:2:13: error: assembly 'points' holds node set 'corners', which BEGIN CONTACT SURFACE cannot "
-        "take\n");
-  CHECK(
-      request_errors("skin all blocks = on exclude tops\n") ==
-      "c.i:1:30: error: assembly 'tops' holds side set 'plate', which SKIN ALL BLOCKS EXCLUDE cannot take\n");
-  CHECK(request_errors("contact surface s contains nothing\n") ==
-        "c.i:1:28: error: assembly 'nothing' holds nothing that CONTACT SURFACE can take\n");
-  CHECK(request_errors("contact node set s contains points tops\n").empty());
 }
 
 TEST_CASE("a name of two kinds is clear only to a command that takes one of them", "[contact][request]") {

@@ -6,40 +6,15 @@
 #include <limits>
 #include <numbers>
 
-#include "parser/text/expression_grammar.hpp"
 #include "support/catch.hpp"
+#include "support/compiled_expression.hpp"
 
 using namespace contactsim;
+using namespace contactsim::test;
 
 namespace {
 
 constexpr double lost = std::numeric_limits<double>::quiet_NaN();
-
-Expression compile(const std::string& text, const std::vector<std::string>& inputs) {
-  return compile_expression(read_deck_expression({}, text), inputs);
-}
-
-double value_of(const std::string& text, double x = lost) {
-  const std::vector<std::string> inputs{"x"};
-  return compile(text, inputs).evaluate({&x, 1});
-}
-
-/// "offset+length: text; hint" of what is wrong with the expression, "" when it compiles.
-std::string problem_of(const std::string& text, const std::vector<std::string>& inputs = {"x"}) {
-  try {
-    compile(text, inputs);
-    return "";
-  } catch (const ExpressionError& error) {
-    return std::to_string(error.offset) + "+" + std::to_string(error.length) + ": " + error.text +
-           (error.hint.empty() ? "" : "; " + error.hint);
-  }
-}
-
-std::string repeated(const std::string& text, int n) {
-  std::string all;
-  for (int i = 0; i < n; ++i) all += text;
-  return all;
-}
 
 }  // namespace
 
@@ -105,7 +80,7 @@ TEST_CASE("names of expressions may be written in any case", "[core][expression]
   CHECK(value_of("TRUE - false") == 1.0);
   const std::vector<std::string> inputs{"e", "v_x"};
   const std::array<double, 2> values{5.0, 7.0};
-  CHECK(compile("E + v_X", inputs).evaluate(values) == 12.0);
+  CHECK(compiled("E + v_X", inputs).evaluate(values) == 12.0);
 }
 
 TEST_CASE("numbers of expressions may be written as in C", "[core][expression]") {
@@ -147,32 +122,6 @@ TEST_CASE("what is wrong with an expression is told at its character", "[core][e
         "1+1: components in brackets are not supported; a vector variable v has the components v_x v_y v_z");
 }
 
-TEST_CASE("unknown names of an expression bring the nearest known one", "[core][expression]") {
-  CHECK(problem_of("1 + sqr(x)") == "4+3: unknown function 'sqr'; did you mean 'sqrt'?");
-  CHECK(problem_of("2*tiem", {"time"}) == "2+4: unknown name 'tiem' in the expression; did you mean 'time'?");
-  CHECK(problem_of("sin(t)") == "4+1: unknown name 't' in the expression; it may read x");
-  CHECK(problem_of("a = b; b = 1; a") == "4+1: unknown name 'b' in the expression; it may read x");
-  CHECK(problem_of("sin") == "0+3: unknown name 'sin' in the expression; it may read x");
-}
-
-TEST_CASE("calls with a wrong number of arguments are told", "[core][expression]") {
-  CHECK(problem_of("sin()") == "0+3: 'sin(x)' takes 1 argument, found 0");
-  CHECK(problem_of("pow(x)") == "0+3: 'pow(x, y)' takes 2 arguments, found 1");
-  CHECK(problem_of("max(1,2,3,4,5)") == "0+3: 'max(x, y[, z][, w])' takes 4 arguments, found 5");
-  CHECK(problem_of("sin(x") == "5+1: expected ')' for this '(', found the end of the expression");
-}
-
-TEST_CASE("functions that give other values on every run are refused", "[core][expression]") {
-  for (const ExpressionFunction& row : expression_functions()) {
-    if (row.body != nullptr) continue;
-    INFO(row.name);
-    const std::string length = std::to_string(row.name.size());
-    CHECK(problem_of(std::string(row.name) + "()") == "0+" + length + ": the function '" +
-                                                          std::string(row.name) + "' is not supported; " +
-                                                          std::string(row.help));
-  }
-}
-
 TEST_CASE("what Sierra and C read differently needs parentheses", "[core][expression]") {
   const std::string hint = " has two readings; say by parentheses what belongs together";
   CHECK(problem_of("-2^2") == "0+1: -2^..." + hint);
@@ -196,21 +145,4 @@ TEST_CASE("nesting without end is refused", "[core][expression]") {
     INFO(open);
     CHECK(problem_of(repeated(open, 100000) + "x").find(deep) != std::string::npos);
   }
-}
-
-TEST_CASE("an expression never keeps more values than it may", "[core][expression]") {
-  const std::string too_many = "the expression keeps too many values at a time";
-  CHECK(value_of(repeated("max(1, 2, 3, ", 130) + "9" + repeated(")", 130)) == 9.0);
-  CHECK(problem_of(repeated("max(1, 2, 3, ", 140) + "9" + repeated(")", 140)).find(too_many) !=
-        std::string::npos);
-  std::string names;
-  for (int i = 0; i < 100; ++i) names += "a" + std::to_string(i) + " = " + std::to_string(i) + ";";
-  CHECK(value_of(names + "a99 - a1") == 98.0);
-  CHECK(problem_of(names + "b = 1; b").find("more than 100 names are assigned") != std::string::npos);
-}
-
-TEST_CASE("an expression that reads no input is constant", "[core][expression]") {
-  const std::vector<std::string> inputs{"x"};
-  CHECK(compile("a = 2; a*pi", inputs).is_constant());
-  CHECK_FALSE(compile("a = x; 2", inputs).is_constant());
 }

@@ -14,81 +14,24 @@
 #include "core/materials/tearing.hpp"
 #include "core/materials/voce_hardening.hpp"
 #include "support/catch.hpp"
-#include "support/function_definition.hpp"
-#include "support/material_model.hpp"
+#include "support/steel_model.hpp"
 
 using namespace contactsim;
-using test::material_model;
+using namespace contactsim::test;
 
 namespace {
 
-std::optional<MaterialLaw> make(const MaterialModel& model, Diagnostics& diagnostics) {
-  const FunctionDefinition function =
-      table_function(FunctionType::piecewise_linear, {{0.0, 200e6}, {0.1, 300e6}});
-  return make_material_law(model, {&function, 1}, diagnostics);
-}
-
-void set(MaterialModel& model, std::initializer_list<std::pair<const char*, ParameterValue>> given) {
-  for (const auto& [phrase, value] : given) model.values.set(phrase, value);
-}
-
-/// Of steel; the rest as given.
-MaterialModel steel(const std::string& name,
-                    std::initializer_list<std::pair<const char*, ParameterValue>> given = {}) {
-  MaterialModel model = material_model(name, {{"bulk modulus", 160e9}, {"shear modulus", 80e9}});
-  set(model, given);
-  return model;
-}
-
 MaterialModel johnson_cook() {
-  return steel("johnson_cook", {{"yield stress", 200e6},
-                                {"hardening constant", 5e8},
-                                {"hardening exponent", 0.3},
-                                {"rate constant", 0.015},
-                                {"reference rate", 2.0}});
-}
-
-/// The law of a model that must be right.
-template <class Law>
-Law law_of(const MaterialModel& model) {
-  Diagnostics diagnostics;
-  const auto law = make(model, diagnostics);
-  REQUIRE(law);
-  CHECK(diagnostics.empty());
-  CHECK(law->moduli().bulk == 160e9);
-  CHECK(law->moduli().shear == 80e9);
-  REQUIRE(law->get_if<Law>() != nullptr);
-  return *law->get_if<Law>();
-}
-
-std::string error_of(const MaterialModel& model) {
-  Diagnostics diagnostics;
-  CHECK_FALSE(make(model, diagnostics));
-  REQUIRE(diagnostics.error_count() == 1);
-  return diagnostics.all()[0].text;
-}
-
-/// A plausible value for a parameter.
-ParameterValue example_of(const Parameter& parameter) {
-  switch (parameter.kind) {
-    case ParameterKind::word:
-      return std::int64_t{0};
-    case ParameterKind::function:
-      return DeckName{"f", {}};
-    case ParameterKind::poissons_ratio:
-      return 0.3;
-    default:
-      break;
-  }
-  if (parameter.phrase == "yield stress") return 200e6;
-  if (parameter.phrase.starts_with("nu")) return 0.3;
-  if (parameter.phrase == "c10" || parameter.phrase == "c01") return 2e10;  // of a shear modulus of 80e9
-  return parameter.phrase.starts_with("e") || parameter.phrase.starts_with("g") ? 2e11 : 0.5;
+  return steel_model("johnson_cook", {{"yield stress", 200e6},
+                                      {"hardening constant", 5e8},
+                                      {"hardening exponent", 0.3},
+                                      {"rate constant", 0.015},
+                                      {"reference rate", 2.0}});
 }
 
 /// A model of a row with two elastic constants and all that is required.
 MaterialModel whole_model(const MaterialRow& row) {
-  MaterialModel model = steel(row.names.front());
+  MaterialModel model = steel_model(row.names.front());
   if (row.elastic == ElasticNeed::one_or_two) model.values.set("shear modulus", {});
   for (const Parameter& parameter : row.parameters) {
     if (parameter.is_required) model.values.set(parameter.phrase, example_of(parameter));
@@ -161,7 +104,7 @@ TEST_CASE("every material makes one of its laws of what it requires, and says wh
     const MaterialModel model = whole_model(row);
     CHECK(missing_parameters(row.parameters, model.values).empty());
     Diagnostics diagnostics;
-    const auto law = make(model, diagnostics);
+    const auto law = made_law(model, diagnostics);
     CHECK_FALSE(diagnostics.has_errors());
     REQUIRE(law);
     CHECK(std::ranges::find(row.laws, &law->kind()) != row.laws.end());
@@ -192,43 +135,24 @@ TEST_CASE("every law's variables lie within its state, and its failure is one of
   }
 }
 
-TEST_CASE("every hardening makes its law by J2 plasticity and as models of its own",
-          "[core][materials][conformance]") {
-  std::int64_t position = 0;
-  for (const HardeningRow& row : hardening_rows()) {
-    INFO(row.word);
-    MaterialModel model = steel("j2_plasticity", {{"yield stress", 200e6}, {"hardening model", position++}});
-    const MaterialRow& j2 = *find_material_row("j2_plasticity");
-    for (const std::string& phrase : j2.missing_besides(model.values)) {
-      const auto parameter = std::ranges::find(row.parameters, phrase, &Parameter::phrase);
-      REQUIRE(parameter != row.parameters.end());
-      model.values.set(phrase, example_of(*parameter));
-    }
-    Diagnostics diagnostics;
-    const auto law = make(model, diagnostics);
-    REQUIRE(law);
-    CHECK(&law->kind() == row.law);
-    for (const std::string& name : row.models) CHECK(find_material_row(name)->make == row.make);
-  }
-}
-
 TEST_CASE("every model that can be integrated becomes its law", "[core][materials]") {
-  law_of<ElasticLaw>(steel("elastic"));
+  law_of<ElasticLaw>(steel_model("elastic"));
   Diagnostics said;
-  const auto of_small_strain = make(steel("linear_elastic"), said);
+  const auto of_small_strain = made_law(steel_model("linear_elastic"), said);
   REQUIRE(of_small_strain);
   CHECK(of_small_strain->get_if<ElasticLaw>() != nullptr);
   CHECK(said.all().at(0).id == "material-linear");
-  law_of<NeoHookeanLaw>(steel("neo_hookean"));
+  law_of<NeoHookeanLaw>(steel_model("neo_hookean"));
   const auto linear = law_of<PlasticLaw<LinearHardening>>(
-      steel("elastic_plastic", {{"yield stress", 200e6}, {"hardening modulus", 1e9}, {"beta", 0.25}}));
+      steel_model("elastic_plastic", {{"yield stress", 200e6}, {"hardening modulus", 1e9}, {"beta", 0.25}}));
   CHECK(linear.hardening.yield_stress == 200e6);
   CHECK(linear.hardening.isotropic_modulus == 0.25e9);
   CHECK(linear.hardening.kinematic_modulus == 0.75e9);
-  const auto power = law_of<PlasticLaw<PowerHardening>>(steel("ep_power_hard", {{"yield stress", 200e6},
-                                                                                {"hardening constant", 5e8},
-                                                                                {"hardening exponent", 0.3},
-                                                                                {"luders strain", 0.01}}));
+  const auto power =
+      law_of<PlasticLaw<PowerHardening>>(steel_model("ep_power_hard", {{"yield stress", 200e6},
+                                                                       {"hardening constant", 5e8},
+                                                                       {"hardening exponent", 0.3},
+                                                                       {"luders strain", 0.01}}));
   CHECK(power.hardening.constant == 5e8);
   CHECK(power.hardening.exponent == 0.3);
   CHECK(power.hardening.luders_strain == 0.01);
@@ -240,7 +164,7 @@ TEST_CASE("every model that can be integrated becomes its law", "[core][material
 
 TEST_CASE("Johnson-Cook with failure constants fails by its damage", "[core][materials]") {
   MaterialModel model = johnson_cook();
-  set(model, {{"d1", 0.1}, {"d3", -2.0}});
+  set_values(model, {{"d1", 0.1}, {"d3", -2.0}});
   const auto law = law_of<FailingJohnsonCookLaw>(model);
   CHECK(law.hardening.rate_constant == 0.015);
   CHECK(law.failure_strain.d1 == 0.1);
@@ -254,108 +178,54 @@ TEST_CASE("Johnson-Cook with failure constants fails by its damage", "[core][mat
 TEST_CASE("hardening along a curve becomes its law, with failure or without", "[core][materials]") {
   const std::initializer_list<std::pair<const char*, ParameterValue>> curve{
       {"yield stress", 200e6}, {"beta", 0.25}, {"hardening function", DeckName{"f", {}}}};
-  MaterialModel model = steel("multilinear_ep", curve);
+  MaterialModel model = steel_model("multilinear_ep", curve);
   const auto plastic = law_of<PlasticLaw<MultilinearHardening>>(model);
   CHECK(plastic.hardening.beta == 0.25);
   REQUIRE(plastic.hardening.curve.points().size() == 2);
   CHECK(plastic.hardening.curve.points()[0].slope == Approx(1e9));
-  MaterialModel torn = steel("ml_ep_fail", curve);
-  set(torn, {{"critical tearing parameter", 0.3}, {"critical crack opening strain", 0.05}});
+  MaterialModel torn = steel_model("ml_ep_fail", curve);
+  set_values(torn, {{"critical tearing parameter", 0.3}, {"critical crack opening strain", 0.05}});
   const auto tearing = law_of<TearingLaw>(torn);
   CHECK(tearing.hardening.beta == 0.25);
   CHECK(tearing.critical_tearing == 0.3);
   CHECK(tearing.critical_opening == 0.05);
   model.values.set("beta", 1.5);
-  CHECK(error_of(model) == "model 'multilinear_ep': beta must be from 0 to 1, found 1.5");
+  CHECK(model_error(model) == "model 'multilinear_ep': beta must be from 0 to 1, found 1.5");
   torn.values.set("yield stress", 250e6);
-  CHECK_THAT(error_of(torn), Catch::StartsWith("the hardening function 'f' begins at"));
-}
-
-TEST_CASE("J2 plasticity becomes the law of the hardening that it names", "[core][materials]") {
-  constexpr std::int64_t linear = 0, power_law = 1, voce = 2, user_defined = 3, decoupled = 4;
-  MaterialModel model = steel(
-      "j2_plasticity",
-      {{"yield stress", 200e6}, {"hardening model", linear}, {"hardening modulus", 1e9}, {"beta", 0.25}});
-  CHECK(law_of<PlasticLaw<LinearHardening>>(model).hardening.kinematic_modulus == 0.75e9);
-  set(model, {{"hardening model", user_defined}, {"hardening function", DeckName{"f", {}}}});
-  CHECK(law_of<PlasticLaw<MultilinearHardening>>(model).hardening.beta == 0.25);
-  set(model, {{"hardening model", decoupled},
-              {"isotropic hardening model", voce},
-              {"exponential coefficient", 12.0}});
-  CHECK(error_of(model) ==
-        "model 'j2_plasticity': beta other than 1 goes with linear and user_defined hardening only");
-  model.values.set("beta", 1.0);
-  const auto made = law_of<PlasticLaw<VoceHardening>>(model);
-  CHECK(made.hardening.growth == 1e9);
-  CHECK(made.hardening.coefficient == 12.0);
-  set(model, {{"hardening model", power_law}, {"hardening constant", 5e8}, {"hardening exponent", 0.3}});
-  CHECK(law_of<PlasticLaw<PowerHardening>>(model).hardening.constant == 5e8);
-  set(model, {{"hardening model", voce}, {"hardening modulus", -1.0}});
-  CHECK(error_of(model) ==
-        "model 'j2_plasticity': the hardening modulus of voce must not be negative, found -1");
-}
-
-TEST_CASE("J2 plasticity has rate multipliers where the flow stress is decoupled", "[core][materials]") {
-  constexpr std::int64_t linear = 0, decoupled = 4, johnson_cook_factor = 1, breakdown = 2;
-  MaterialModel model = steel("j2_plasticity", {{"yield stress", 200e6},
-                                                {"hardening model", decoupled},
-                                                {"isotropic hardening model", linear},
-                                                {"hardening modulus", 1e9},
-                                                {"yield rate multiplier", breakdown},
-                                                {"yield rate coefficient", 50.0},
-                                                {"yield rate exponent", 4.0},
-                                                {"hardening rate multiplier", johnson_cook_factor}});
-  CHECK(find_material_row("j2_plasticity")->missing_besides(model.values) ==
-        std::vector<std::string>{"hardening rate constant", "hardening reference rate"});
-  set(model, {{"hardening rate constant", 0.1}, {"hardening reference rate", 3.0}});
-  const auto law = law_of<PlasticLaw<RateHardening>>(model);
-  CHECK(law.hardening.yield_stress == 200e6);
-  CHECK(law.hardening.of_yield.kind == RateFactor::Kind::power_law_breakdown);
-  CHECK(law.hardening.of_yield.coefficient == 50.0);
-  CHECK(law.hardening.of_growth.reference_rate == 3.0);
-  MaterialModel idle = model;
-  idle.values.set("yield rate multiplier", std::int64_t{0});
-  Diagnostics told;
-  CHECK(make(idle, told));
-  CHECK(told.all().size() == 2);
-  CHECK(told.all()[0].text == "'yield rate coefficient' has no effect");
-  model.values.set("beta", 0.5);
-  CHECK(error_of(model) ==
-        "model 'j2_plasticity': rate multipliers go with isotropic hardening that does not fall: beta = 1");
-  set(model, {{"beta", 1.0}, {"hardening model", linear}});
-  CHECK(error_of(model) ==
-        "model 'j2_plasticity': rate multipliers go with hardening model = decoupled_flow_stress");
+  CHECK_THAT(model_error(torn), Catch::StartsWith("the hardening function 'f' begins at"));
 }
 
 TEST_CASE("a Mooney-Rivlin model takes the bulk modulus from one constant or from two that fit",
           "[core][materials]") {
   MaterialModel model = material_model("mooney_rivlin", {{"c10", 30e9}, {"c01", 10e9}});
-  CHECK(error_of(model) == "model 'mooney_rivlin': nothing gives the bulk modulus; add BULK MODULUS");
+  CHECK(model_error(model) == "model 'mooney_rivlin': nothing gives the bulk modulus; add BULK MODULUS");
   model.values.set("bulk modulus", 160e9);
   CHECK(law_of<MooneyRivlinLaw>(model).c10() == Approx(30e9));
   model.values.set("shear modulus", 80.1e9);
   CHECK(law_of<MooneyRivlinLaw>(model).c01 == 10e9);
   model.values.set("shear modulus", 90e9);
-  CHECK(error_of(model) ==
+  CHECK(model_error(model) ==
         "model 'mooney_rivlin': the elastic constants give a shear modulus of 90000000000, C10 and C01 one "
         "of 80000000000");
   MaterialModel by_ratio =
       material_model("mooney_rivlin", {{"c10", 30e9}, {"c01", 10e9}, {"poissons ratio", 0.25}});
   Diagnostics diagnostics;
-  CHECK(make(by_ratio, diagnostics)->moduli().bulk == Approx(80e9 * 2.5 / 1.5));
+  CHECK(made_law(by_ratio, diagnostics)->moduli().bulk == Approx(80e9 * 2.5 / 1.5));
   by_ratio.values.set("c10", -10e9);
-  CHECK(error_of(by_ratio) == "model 'mooney_rivlin': the sum of C10 and C01 must be positive");
+  CHECK(model_error(by_ratio) == "model 'mooney_rivlin': the sum of C10 and C01 must be positive");
 }
 
 TEST_CASE("models without a law are refused by name, and unstable constants by theirs", "[core][materials]") {
   const std::string text = ": the model is not supported; there are elastic, linear_elastic, ";
-  CHECK_THAT(error_of({{"foam", {}}, {}}), Catch::StartsWith("model 'foam'" + text));
+  CHECK_THAT(model_error({{"foam", {}}, {}}), Catch::StartsWith("model 'foam'" + text));
   MaterialModel failing = johnson_cook();
-  set(failing, {{"d1", 0.1}, {"d2", -0.2}});
-  CHECK(error_of(failing) == "model 'johnson_cook': d1 + d2, the failure strain in shear, must be positive");
-  CHECK(error_of(steel("elastic_plastic", {{"yield stress", 200e6}, {"hardening modulus", -250e9}})) ==
-        "model 'elastic_plastic': the hardening modulus falls faster than three times the shear modulus");
-  CHECK_THAT(error_of(material_model("elastic", {{"youngs modulus", 9e9}, {"bulk modulus", 1e9}})),
+  set_values(failing, {{"d1", 0.1}, {"d2", -0.2}});
+  CHECK(model_error(failing) ==
+        "model 'johnson_cook': d1 + d2, the failure strain in shear, must be positive");
+  CHECK(
+      model_error(steel_model("elastic_plastic", {{"yield stress", 200e6}, {"hardening modulus", -250e9}})) ==
+      "model 'elastic_plastic': the hardening modulus falls faster than three times the shear modulus");
+  CHECK_THAT(model_error(material_model("elastic", {{"youngs modulus", 9e9}, {"bulk modulus", 1e9}})),
              Catch::StartsWith("model 'elastic': the elastic constants give"));
 }
 
