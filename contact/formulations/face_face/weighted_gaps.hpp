@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "contact/formulations/contact_step_context.hpp"
-#include "contact/geometry/face_face.hpp"
+#include "contact/geometry/face_face_constraints.hpp"
 #include "contact/interface_laws/friction.hpp"
 #include "contact/mesh/contact_mesh.hpp"
 
