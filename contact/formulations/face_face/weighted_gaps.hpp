@@ -110,4 +110,12 @@ class WeightedGaps {
   IndexedVector<SurfaceNodeIndex, OptionalIndex<std::uint32_t>> first_;  // of rows, their last node so far
 };
 
+/// What the motion of a contact node makes of a weighted gap and of the slip there.
+struct WeightedGapMotion {
+  std::uint32_t number = 0;  ///< of the gap, in WeightedGaps::nodes()
+  ContactNodeIndex node;
+  Eigen::Vector3d opens;  ///< derivative of the gap by the position of the node [1]
+  double slips = 0.0;     ///< derivative of the slip, 0 without friction [1]
+};
+
 }  // namespace contactsim
