@@ -11,6 +11,7 @@
 #include "app/run/refusals.hpp"
 #include "app/run/run_outputs.hpp"
 #include "app/run/stop_on_errors.hpp"
+#include "app/run/transfer_refusals.hpp"
 #include "contact/interface_laws/refuse_laws.hpp"
 #include "core/base/memory_error.hpp"
 #include "core/definition/simulation.hpp"
@@ -193,16 +194,8 @@ void Simulation::Parts::warn_of_preload() {
 
 /// Refuses contact that holds what is near at the start where what has held it is not taken over.
 void Simulation::Parts::refuse_held_anew() {
-  const auto holds = [](const SurfacePair& pair) { return row_of(*pair.law).holds_at_start; };
   if (!setup.transfer || !contact || takes_over_contact) return;
-  const SurfacePairs& pairs = contact->model().pairs;
-  const auto held = std::ranges::find_if(pairs, holds);
-  if (held == pairs.end()) return;
-  diagnostics.add_error(
-      held->location,
-      "contact that holds what is near at the start is not supported where a PROCEDURAL TRANSFER takes over "
-      "no contact",
-      "it goes on with INCLUDE ALL BLOCKS, and the surfaces and interactions of the procedure before");
+  refuse_held_without_transfer(contact->model().pairs, diagnostics);
   stop_on_errors(diagnostics);
 }
 

@@ -1,37 +1,23 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <map>
 #include <span>
 #include <utility>
 #include <vector>
 
+#include "contact/enforcement/constraint_losses.hpp"
 #include "contact/enforcement/constraint_pass.hpp"
+#include "contact/enforcement/constraint_system.hpp"
 #include "contact/enforcement/contact_history.hpp"
 #include "contact/enforcement/point_carriers.hpp"
 #include "contact/enforcement/push_lists.hpp"
 #include "contact/enforcement/recovery_energy.hpp"
 #include "contact/formulations/contact_step_context.hpp"
 #include "contact/geometry/contact_point.hpp"
-#include "core/base/optional_index.hpp"
-#include "core/base/threads.hpp"
 
 namespace contactsim {
-
-/// Lost in half of the step before and in half of the coming one, to friction and where sides met [energy].
-struct ContactLoss {
-  double friction_before = 0.0, friction_after = 0.0, impact_before = 0.0, impact_after = 0.0;
-
-  ContactLoss& operator+=(const ContactLoss& other) {
-    friction_before += other.friction_before;
-    friction_after += other.friction_after;
-    impact_before += other.impact_before;
-    impact_after += other.impact_after;
-    return *this;
-  }
-};
 
 /// The contact points of a step as constraints: none penetrates at its end. Forces push only, but where what
 /// has touched may not part; friction returns to the Coulomb cone.
@@ -71,14 +57,14 @@ class ContactConstraints {
   ContactLoss finish();
 
   /// The points in the order of add(), with force, friction, slip and what is lost.
-  std::span<const ContactPoint> points() const { return points_; }
+  std::span<const ContactPoint> points() const { return system_.points; }
   /// Has each two faces, and all nodes of a pair, press with no more than in load steps before, once all
   /// points are added: a part of them may have borne it.
   void spread_pressed();
   /// The points in the order of add() with the forces that the passes begin with.
   std::vector<ContactPoint> begun_points() const;
   /// Hands over the points, for others in exchange.
-  void swap_points(std::vector<ContactPoint>& points) { points_.swap(points); }
+  void swap_points(std::vector<ContactPoint>& points) { system_.points.swap(points); }
   ContactHistory& memory() { return history_; }
   /// Goes on where contact of another explicit procedure ended, whose memory() it has.
   void go_on() { goes_on_ = true; }
@@ -89,93 +75,33 @@ class ContactConstraints {
  private:
   using Terms = PointCarriers::Terms;
   using Weights = PointCarriers::Weights;
-  /// A contact point. Fourth numbers are 0.
-  struct Row {
-    NodeVector force = NodeVector::Zero();  // on the first side [force]
-    NodeVector ahead = NodeVector::Zero();  // that the next pass looks at [force]
-    double start = 0.0;     // gap at the end of the step without forces, less what it may be [length]
-    double recovery = 0.0;  // of its penetration that is to come out [length]
-    double zero_gap = 0.0;  // at which it just touches [length]
-    double softness = 0.0;  // gap per force of this point when all have its pressure, at most [length/force]
-    std::uint32_t point = 0;             // in points_
-    OptionalIndex<std::uint32_t> grip;   // of a point with friction
-    OptionalIndex<std::uint32_t> light;  // its row among those with light carriers
-    bool pulls = false;                  // it has touched and may not part
-  };
-  /// Contact points between the same entities, which have the same carriers.
-  struct Group {
-    NodeVector normal = NodeVector::Zero();  // [1]
-    std::uint32_t first_row = 0, n_rows = 0;
-    Terms terms;
-  };
-  /// Friction of a contact point.
-  struct Grip {
-    const PairRule* rule = nullptr;
-    double limit_per_force = 0.0;                    // of the tangential force; < 0: the rule says [1]
-    Eigen::Vector3d held = Eigen::Vector3d::Zero();  // slip of earlier steps that friction holds [length]
-    Eigen::Vector3d slip = Eigen::Vector3d::Zero();  // of the step without forces, in the plane [length]
-    double softness = 0.0;                           // slip per force, as of the normal [length/force]
-  };
+  using Row = ConstraintRow;
+  using Group = ConstraintGroup;
 
-  /// Groups that are worked on as one piece, alike for any number of threads.
-  static constexpr std::size_t groups_per_chunk = 64;
-
-  /// Calls visit(group, row) for each point of some groups, in their order.
-  template <class Visit>
-  static void visit_rows(std::span<const Group> groups, const Visit& visit) {
-    for (const Group& group : groups) {
-      for (std::uint32_t row = group.first_row; row < group.first_row + group.n_rows; ++row)
-        visit(group, row);
-    }
-  }
-  template <class Visit>
-  void visit_rows(const Visit& visit) const {
-    visit_rows(groups_, visit);
-  }
-  int threads() const { return threads_for(10 * rows_.size()); }
-  template <class Sums, class Visit>
-  Sums sum_rows(int n_threads, const Visit& visit) const;
   template <class FindForce>
   ConstraintPass push_rows(const FindForce& find_force);
-  bool is_of_last_group(const ContactPoint& contact_point) const;
   void add_friction(const ContactPoint& contact_point, const PairRule& rule, Row& row);
   void spread_over_faces();
   std::optional<ContactHistory::Entry> recall(const ContactPoint& contact_point);
   static void begin_where_it_is(const ContactPoint& contact_point, double thickness,
                                 std::optional<ContactHistory::Entry>& known);
+  void set_start(const ContactPoint& contact_point, const PairRule& rule, double thickness, Row& row);
   void take_over(const ContactPoint& contact_point, const ContactHistory::Entry& known, double allowed,
                  Row& row);
-  double area_of(const Row& row) const { return points_[row.point].area; }
   static PointCarriers::Direction direction(const Group& group, const Row& row) {
-    return {group.normal, row.grip.has_value()};
+    return {group.normal, row.friction.has_value()};
   }
   double slip_softness(const Group& group, std::uint32_t row, const LeaningAreas& areas) const;
   double softness(const Group& group, std::uint32_t row, const LeaningAreas& areas,
                   const LightCarriers& light, double least) const;
-  void drop_held();
-  double slip_limit(const Row& row, const NodeVector& changed, double normal_force) const;
-  double pressing(const NodeVector& normal, const Row& row, const NodeVector& changed) const;
-  NodeVector next_force(const NodeVector& normal, const Row& row, const NodeVector& changed) const;
-  Eigen::Vector3d trial_traction(const Eigen::Vector3d& normal, const Row& row,
-                                 const NodeVector& changed) const;
-  double lost_before(const Eigen::Vector3d& force, const ContactPoint& point, const Eigen::Vector3d& before,
-                     const Eigen::Vector3d& changed) const;
-  void finish_friction(const Row& row, double force, const NodeVector& change, const Eigen::Vector3d& before,
-                       ContactHistory::Entry& entry, ContactLoss& loss);
-  std::optional<ContactHistory::Entry> finish(const Row& row, double force, const NodeVector& change,
-                                              ContactLoss& loss);
 
   PointCarriers carriers_;
   const ContactKinematics* kinematics_ = nullptr;
   double dt_ = 0.0, dt_before_ = 0.0;
-  std::vector<ContactPoint> points_;
-  std::vector<Group> groups_;
-  std::vector<Row> rows_;
-  std::vector<Weights> weights_;                                      // [n_rows]
+  ConstraintSystem system_;
   PushLists pushes_;                                                  // of several threads
   std::vector<NodeVector> pushing_;                                   // [n_rows] by which rows push then
   std::vector<std::pair<const Group*, std::uint32_t>> light_points_;  // with rows, of light carriers
-  std::vector<Grip> grips_;
   ContactHistory history_;
   bool begins_pressed_ = false;                   // the history is that of load steps
   bool goes_on_ = false;                          // it is that of another explicit procedure

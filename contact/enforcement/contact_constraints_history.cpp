@@ -31,12 +31,12 @@ void ContactConstraints::begin_pressed(std::span<const ContactPoint> points) {
 void ContactConstraints::spread_pressed() {
   spread_over_faces();
   std::map<PairIndex, double> forces;
-  for (const Row& row : rows_) {
-    const ContactPoint& point = points_[row.point];
+  for (const Row& row : system_.rows) {
+    const ContactPoint& point = system_.points[row.point];
     if (point.first.is_node()) forces[point.pair] += row.force.head<3>().dot(point.normal);
   }
-  for (Row& row : rows_) {
-    const ContactPoint& point = points_[row.point];
+  for (Row& row : system_.rows) {
+    const ContactPoint& point = system_.points[row.point];
     if (point.first.is_node() && forces[point.pair] > 0.0)
       row.force *= std::min(1.0, pressed_by_nodes_[point.pair] / forces[point.pair]);
   }
@@ -45,14 +45,14 @@ void ContactConstraints::spread_pressed() {
 
 void ContactConstraints::spread_over_faces() {
   const auto are_alike = [this](const Row& a, const Row& b) {
-    const ContactPoint &one = points_[a.point], &other = points_[b.point];
+    const ContactPoint &one = system_.points[a.point], &other = system_.points[b.point];
     return one.first_entity == other.first_entity && one.second_entity == other.second_entity;
   };
-  for (auto begin = rows_.begin(), end = begin; begin != rows_.end(); begin = end) {
-    const ContactPoint& point = points_[begin->point];
+  for (auto begin = system_.rows.begin(), end = begin; begin != system_.rows.end(); begin = end) {
+    const ContactPoint& point = system_.points[begin->point];
     double force = 0.0;
-    for (; end != rows_.end() && are_alike(*begin, *end); ++end)
-      force += end->force.head<3>().dot(points_[end->point].normal);
+    for (; end != system_.rows.end() && are_alike(*begin, *end); ++end)
+      force += end->force.head<3>().dot(system_.points[end->point].normal);
     if (point.first.is_node() || point.is_of_edges || !(force > 0.0)) continue;
     const double share = std::min(1.0, history_.force_between(point) / force);
     std::for_each(begin, end, [share](Row& row) { row.force *= share; });
@@ -60,8 +60,8 @@ void ContactConstraints::spread_over_faces() {
 }
 
 std::vector<ContactPoint> ContactConstraints::begun_points() const {
-  std::vector<ContactPoint> points = points_;
-  for (const Row& row : rows_) {
+  std::vector<ContactPoint> points = system_.points;
+  for (const Row& row : system_.rows) {
     ContactPoint& point = points[row.point];
     const Eigen::Vector3d force = row.force.head<3>();
     const double pressing = force.dot(point.normal);

@@ -22,10 +22,10 @@ constexpr double free_recovery = 4e-3;
 void ContactConstraints::limit_recovery(RecoveryEnergy& recovery) {
   std::map<PairIndex, double> needed;
   auto of_pair = needed.end();  // points of a pair follow each other, mostly
-  visit_rows([&](const Group& group, std::uint32_t i) {
-    const Row& row = rows_[i];
+  system_.visit_rows([&](const Group& group, std::uint32_t i) {
+    const Row& row = system_.rows[i];
     if (!(row.recovery > 0.0)) return;
-    const ContactPoint& point = points_[row.point];
+    const ContactPoint& point = system_.points[row.point];
     const double depth = row.zero_gap - point.gap;
     if (recovery.has_begun(point.pair)) recovery.add_overlap(point.pair, 0.5 * depth * depth / row.softness);
     if (of_pair == needed.end() || of_pair->first != point.pair)
@@ -35,10 +35,10 @@ void ContactConstraints::limit_recovery(RecoveryEnergy& recovery) {
   });
   std::erase_if(needed, [&](const auto& of) { return of.second <= recovery.available(of.first); });
   if (needed.empty()) return;
-  visit_rows([&](const Group&, std::uint32_t i) {
-    Row& row = rows_[i];
+  system_.visit_rows([&](const Group&, std::uint32_t i) {
+    Row& row = system_.rows[i];
     if (!(row.recovery > 0.0)) return;
-    const ContactPoint& point = points_[row.point];
+    const ContactPoint& point = system_.points[row.point];
     const auto found = needed.find(point.pair);
     if (found == needed.end()) return;
     const double paid = recovery.available(found->first) / found->second * row.recovery;

@@ -40,7 +40,7 @@ class ContactDetection {
   /// Finds the weighted gaps of faces in a load step, which visit_points() presses by then.
   void weigh_gaps(const ContactStepContext& context, WeightedGaps& gaps) const;
   /// FaceFaceContacts::node_motions().
-  std::vector<FaceFaceContacts::NodeMotion> node_motions(const ContactStepContext& context) const {
+  std::vector<WeightedGapMotion> node_motions(const ContactStepContext& context) const {
     return formulations_.get<FaceFaceContacts>().node_motions(context);
   }
   /// Appends the contacts that ended in the last step though they were deep.

@@ -82,7 +82,7 @@ std::array<Eigen::Vector3d, 2> slip_directions(const WeightedNode& node) {
 /// All its ends are one corner, which moves by what the gap grows by, the slip along the friction, and that
 /// across it, which what slides resists by the force that friction has.
 ContactSpring ContactSprings::spring_of(const WeightedNode& node,
-                                        std::span<const FaceFaceContacts::NodeMotion> motions) const {
+                                        std::span<const WeightedGapMotion> motions) const {
   ContactSpring spring;
   spring.coupling.setZero();
   spring.coupling(0, 0) = 1.0;
@@ -100,7 +100,7 @@ ContactSpring ContactSprings::spring_of(const WeightedNode& node,
     // What slides is dragged against its way by more where the gap closes.
     if (slides) spring.unsymmetric(1, 0) = -node.friction_slope * node.slope * node.bearing;
   }
-  for (const FaceFaceContacts::NodeMotion& motion : motions) {
+  for (const WeightedGapMotion& motion : motions) {
     Eigen::Matrix3d by = Eigen::Matrix3d::Zero();
     by.row(0) = motion.opens.transpose();
     for (Eigen::Index i = 0; has_friction && i < 2; ++i)

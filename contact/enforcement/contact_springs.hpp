@@ -20,8 +20,7 @@ class ContactSprings {
   ContactSpring spring_of(const ContactPoint& point) const;
   /// The spring of a weighted gap that presses, with its friction.
   ///   motions  of the contact nodes that it grows and slips by
-  ContactSpring spring_of(const WeightedNode& node,
-                          std::span<const FaceFaceContacts::NodeMotion> motions) const;
+  ContactSpring spring_of(const WeightedNode& node, std::span<const WeightedGapMotion> motions) const;
   /// Along the surface, as long as a point sticks; what slides resists across the way that it slides by the
   /// force that friction has, and is dragged by more where its gap closes.
   ///   dt           of the step [time]

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "contact/geometry/face_face_constraints.hpp"
+
 #include <algorithm>
 #include <cmath>
 

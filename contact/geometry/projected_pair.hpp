@@ -3,7 +3,7 @@
 
 #include <optional>
 
-#include "contact/geometry/face_face.hpp"
+#include "contact/geometry/face_face_constraints.hpp"
 
 namespace contactsim {
 

@@ -8,7 +8,6 @@
 
 #include "core/base/errors.hpp"
 #include "core/base/state_archive.hpp"
-#include "core/base/threads.hpp"
 
 namespace contactsim {
 
@@ -16,9 +15,6 @@ namespace {
 
 /// How deep behind a face its box reaches, over the thickness of its element: a bit deeper than contact does.
 constexpr double depth_share = 0.8;
-
-/// Share of a length that single precision loses at most.
-constexpr double rounding = 0x1p-24;
 
 void include(const Eigen::Vector3d& point, Box& box) {
   for (std::size_t i = 0; i < 3; ++i) {
@@ -42,22 +38,9 @@ void widen(double margin, Box& box) {
   }
 }
 
-/// The larger of two numbers; what is not a number stays.
-double larger(double most, double value) { return value <= most || std::isnan(most) ? most : value; }
-
 template <class AnIndex>
 double depth_of(std::span<const float> depths, AnIndex i) {
   return depths.empty() ? 0.0 : depths[i.value];
-}
-
-template <class AnIndex>
-bool is_marked(const IndexedVector<AnIndex, std::uint8_t>& marks, AnIndex i) {
-  return !marks.empty() && marks[i] != 0;
-}
-
-template <class Row>
-bool holds(const PairLists<Row, FaceIndex>& lists, Row row, FaceIndex partner) {
-  return std::ranges::binary_search(lists.of(row), partner);
 }
 
 }  // namespace
@@ -68,37 +51,25 @@ ContactSearch::ContactSearch(const ContactMesh& contact_mesh, const Mesh& mesh, 
     : contact_mesh_(contact_mesh),
       mesh_(mesh),
       rules_(rules),
-      adjacent_(contact_mesh, mesh),
-      body_of_(body_of),
       is_once_(search.global_search_once),
-      length_scaling_(dash.search_length_scaling) {
+      length_scaling_(dash.search_length_scaling),
+      filter_(contact_mesh, mesh, rules, is_once_, body_of) {
   for (const PairRule& rule : rules.rules()) {
     const bool is_node_face = rule.pair->formulation == ConstraintFormulation::node_face;
     (is_node_face ? has_node_pairs_ : has_face_pairs_) = true;
     has_small_sliding_ |= rule.pair->behavior == InteractionBehavior::infinitesimal_sliding;
-    has_to_face_.push_back(has_to_face(rule) ? 1 : 0);
   }
   const auto is_sphere = [](const SurfaceNode& node) { return node.radius > 0.0f; };
   has_node_pairs_ = has_node_pairs_ || std::ranges::any_of(contact_mesh.surface_nodes, is_sphere);
-  set_margins();
+  margins_.set(contact_mesh, mesh, length_scaling_);
+  set_activation_distances();
 }
 
 void ContactSearch::archive(StateArchive& saved) {
-  saved.numbers("contact/search/last", n_searches_, searched_from_);
-  saved.list("contact/search/searched_at", searched_at_);
+  margins_.archive(n_searches_, saved);
   turned_away_.archive(saved);
-  contactsim::archive("contact/search/first_face_pairs", first_face_partners_, saved);
-  contactsim::archive("contact/search/first_node_pairs", first_node_faces_, saved);
-  // Most runs have neither, and states of such runs nothing of them.
-  const bool has_new = saved.restores() ? saved.has("contact/search/new_faces")
-                                        : !is_new_face_.empty() || !is_new_row_.empty();
-  if (!has_new) {
-    is_new_face_.clear();
-    is_new_row_.clear();
-    return;
-  }
-  saved.list("contact/search/new_faces", is_new_face_);
-  saved.list("contact/search/new_nodes", is_new_row_);
+  first_partners_.archive(saved);
+  filter_.set_first_search(n_searches_ == 0);
 }
 
 bool ContactSearch::is_due(const ContactKinematics& kinematics) const {
@@ -106,93 +77,12 @@ bool ContactSearch::is_due(const ContactKinematics& kinematics) const {
   if (is_once_ || !(has_face_pairs_ || has_node_pairs_)) return false;
   if (turned_away_.have_turned(kinematics)) return true;
   // Two sides share their margins: one may use up what the other, at rest, does not need.
-  const auto used = used_margins(kinematics);
+  const auto used = margins_.used(contact_mesh_, kinematics);
   return !std::ranges::all_of(rules_.rules(), [&](const PairRule& rule) {
     const SurfaceIndex first = rule.pair->first, second = rule.pair->second;
-    return has_room(first, used[first], second, used[second]) &&
-           has_room(second, used[second], first, used[first]);
+    return margins_.has_room(first, used[first], second, used[second]) &&
+           margins_.has_room(second, used[second], first, used[first]);
   });
-}
-
-bool ContactSearch::has_room(SurfaceIndex first, double first_used, SurfaceIndex second,
-                             double second_used) const {
-  if (first_used <= 1.0) return true;
-  return (first_used - 1.0) * widest_margin_[first] <= (1.0 - second_used) * narrowest_margin_[second];
-}
-
-double ContactSearch::used_margin(const ContactKinematics& kinematics, SurfaceNodeIndex row) const {
-  const ContactNodeIndex node = contact_mesh_.surface_nodes[row].node;
-  const Eigen::Vector3d now = kinematics.x(node) - searched_from_;
-  const double moved = (now - searched_at_[node].cast<double>()).norm() + rounding * now.lpNorm<1>();
-  return moved / node_margin_[node];
-}
-
-IndexedVector<SurfaceIndex, double> ContactSearch::used_margins(const ContactKinematics& kinematics) const {
-  // In pieces: all nodes may be of one surface.
-  constexpr std::uint32_t rows_per_piece = 2048;
-  struct Piece {
-    SurfaceIndex surface;
-    std::uint32_t begin, end;
-    double most = 0.0;
-  };
-  std::vector<Piece> pieces;
-  const SurfaceIndex past{static_cast<std::uint32_t>(contact_mesh_.n_surfaces())};
-  for (const SurfaceIndex surface : IndexRange<SurfaceIndex>({}, past)) {
-    const auto rows = contact_mesh_.rows_of(surface);
-    const std::uint32_t end = (*rows.end()).value;
-    for (std::uint32_t i = (*rows.begin()).value; i < end; i += rows_per_piece)
-      pieces.push_back({surface, i, std::min(i + rows_per_piece, end)});
-  }
-  parallel_for_uneven(pieces.size(), threads_for(contact_mesh_.n_nodes()), [&](std::size_t i) {
-    Piece& piece = pieces[i];
-    for (std::uint32_t row = piece.begin; row < piece.end; ++row) {
-      piece.most = larger(piece.most, used_margin(kinematics, {row}));
-    }
-  });
-  IndexedVector<SurfaceIndex, double> used(contact_mesh_.n_surfaces(), 0.0);
-  for (const Piece& piece : pieces) {
-    used[piece.surface] = larger(used[piece.surface], piece.most);
-  }
-  return used;
-}
-
-template <class Row, class SurfaceOf>
-void ContactSearch::keep_first_partners(const IndexedVector<Row, std::uint8_t>& is_new,
-                                        const SurfaceOf& surface_of, PairLists<Row, FaceIndex>& first,
-                                        PairLists<Row, FaceIndex>& lists) const {
-  if (n_searches_ == 0) {
-    first = lists;
-    return;
-  }
-  std::uint32_t n = 0, begin = 0;
-  for (const Row row : lists.rows()) {
-    const std::uint32_t end = lists.begin[row.value + 1];
-    for (std::uint32_t k = begin; k < end; ++k) {
-      const FaceIndex partner = lists.partner(k);
-      const PairRule& rule = rules_[*rules_.find(surface_of(row), contact_mesh_.faces[partner].surface)];
-      const bool may_change = rule.pair->behavior != InteractionBehavior::infinitesimal_sliding;
-      if (may_change || is_marked(is_new, row) || is_marked(is_new_face_, partner) ||
-          holds(first, row, partner))
-        lists.partners[n++] = partner.value;
-    }
-    begin = end;
-    lists.begin[row.value + 1] = n;
-  }
-  lists.partners.resize(n);
-}
-
-bool ContactSearch::has_first_partners(PairIndex pair) const {
-  const auto has = [&](const auto& lists, const auto& surface_of) {
-    for (const auto row : lists.rows()) {
-      for (const FaceIndex partner : lists.of(row)) {
-        if (rules_.find(surface_of(row), contact_mesh_.faces[partner].surface) == pair) return true;
-      }
-    }
-    return false;
-  };
-  return has(first_face_partners_, [&](FaceIndex face) { return contact_mesh_.faces[face].surface; }) ||
-         has(first_node_faces_,
-             [&](SurfaceNodeIndex row) { return contact_mesh_.surface_nodes[row].surface; });
 }
 
 void ContactSearch::stop_at(const ContactKinematics& kinematics, const Motion& motion,
@@ -222,12 +112,13 @@ void ContactSearch::find_face_pairs(const ContactKinematics& kinematics, const M
   }
   if (!has_face_pairs_) return;
   turned_away_.begin(kinematics);
-  faces_phase_.find_pairs([&](FaceIndex a, FaceIndex b) { return faces_may_meet(kinematics, a, b); },
-                          partners);
-  if (has_small_sliding_)
-    keep_first_partners(
-        is_new_face_, [this](FaceIndex face) { return contact_mesh_.faces[face].surface; },
-        first_face_partners_, partners);
+  const auto may_meet = [&](FaceIndex a, FaceIndex b) {
+    const OptionalIndex<PairIndex> pair = filter_.pair_of_faces(a, b);
+    if (!pair || (filter_.has_to_face(*pair) && turned_away_.are(kinematics, a, b))) return false;
+    return filter_.faces_may_meet(*pair, a, b);
+  };
+  faces_phase_.find_pairs(may_meet, partners);
+  keep_first_partners(partners);
 }
 
 void ContactSearch::find_node_faces(const ContactKinematics& kinematics, const Motion& motion,
@@ -239,11 +130,9 @@ void ContactSearch::find_node_faces(const ContactKinematics& kinematics, const M
   if (const auto bad = nodes_phase_.update(indices(contact_mesh_.surface_nodes), box_of))
     stop_at(kinematics, motion, contact_mesh_.surface_nodes[*bad].node);
   nodes_phase_.find_pairs(
-      faces_phase_, [this](SurfaceNodeIndex row, FaceIndex face) { return node_may_meet(row, face); }, faces);
-  if (has_small_sliding_)
-    keep_first_partners(
-        is_new_row_, [this](SurfaceNodeIndex row) { return contact_mesh_.surface_nodes[row].surface; },
-        first_node_faces_, faces);
+      faces_phase_, [this](SurfaceNodeIndex row, FaceIndex face) { return filter_.node_may_meet(row, face); },
+      faces);
+  keep_first_partners(faces);
 }
 
 void ContactSearch::find_edge_pairs(const ContactKinematics& kinematics, const Motion& motion,
@@ -253,16 +142,15 @@ void ContactSearch::find_edge_pairs(const ContactKinematics& kinematics, const M
   };
   if (const auto bad = edges_phase_.update(indices(contact_mesh_.edges), box_of))
     stop_at(kinematics, motion, contact_mesh_.edges[*bad].nodes[0]);
-  edges_phase_.find_pairs([this](EdgeIndex a, EdgeIndex b) { return edges_may_meet(a, b); }, partners);
+  edges_phase_.find_pairs([this](EdgeIndex a, EdgeIndex b) { return filter_.edges_may_meet(a, b); },
+                          partners);
 }
 
 void ContactSearch::finish(const ContactKinematics& kinematics) {
   ++n_searches_;
+  filter_.set_first_search(false);
   turned_away_.finish(kinematics);
-  searched_at_.resize(contact_mesh_.n_nodes());
-  if (contact_mesh_.n_nodes() > 0) searched_from_ = kinematics.x({0});
-  for (const ContactNodeIndex i : contact_mesh_.nodes())
-    searched_at_[i] = (kinematics.x(i) - searched_from_).cast<float>();
+  margins_.start_at(contact_mesh_, kinematics);
 }
 
 Box ContactSearch::face_box(const ContactKinematics& kinematics, FaceIndex index, double dt,
@@ -278,7 +166,7 @@ Box ContactSearch::face_box(const ContactKinematics& kinematics, FaceIndex index
     include(x + inward, box);
   }
   const double height = contact_mesh_.smooth_faces.extent(index).height;
-  widen(face_margin_[index] + 0.5 * activation_distance_[face.surface] + height, box);
+  widen(margins_.of(index) + 0.5 * activation_distance_[face.surface] + height, box);
   return box;
 }
 
@@ -288,7 +176,7 @@ Box ContactSearch::node_box(const ContactKinematics& kinematics, SurfaceNodeInde
   Box box = box_at(kinematics.x(node));
   include(kinematics.x(node) - dt * kinematics.v(node), box);
   const SurfaceNode& own = contact_mesh_.surface_nodes[row];
-  widen(node_margin_[node] + std::max<double>(own.radius, deep) + 0.5 * activation_distance_[own.surface],
+  widen(margins_.of(node) + std::max<double>(own.radius, deep) + 0.5 * activation_distance_[own.surface],
         box);
   return box;
 }
@@ -301,7 +189,7 @@ Box ContactSearch::edge_box(const ContactKinematics& kinematics, EdgeIndex index
   for (const ContactNodeIndex node : edge.nodes) {
     include(kinematics.x(node), box);
     include(kinematics.x(node) - dt * kinematics.v(node), box);
-    margin = std::max<double>(margin, node_margin_[node]);
+    margin = std::max<double>(margin, margins_.of(node));
   }
   widen(margin + std::max(edge.radius, deep) + 0.5 * activation_distance_[edge.surface], box);
   return box;

@@ -3,7 +3,7 @@
 
 #include <optional>
 
-#include "contact/geometry/face_face.hpp"
+#include "contact/geometry/face_face_constraints.hpp"
 #include "contact/smoothing/smooth_face.hpp"
 
 /// Two faces of which one or both stand for round surfaces. They are seen along the normal of the plane

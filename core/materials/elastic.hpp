@@ -7,7 +7,7 @@
 
 namespace contactsim {
 
-/// Hypoelastic, a law as material_law.hpp says: the stress rate is linear in the strain rate.
+/// Hypoelastic, a law as law_kind.hpp says: the stress rate is linear in the strain rate.
 /// Source: Sierra/SM, ELASTIC.
 struct ElasticLaw {
   ElasticModuli moduli;

@@ -44,7 +44,7 @@ struct JohnsonCookFailure {
   }
 };
 
-/// Johnson-Cook plasticity that counts damage, a law as material_law.hpp says: it grows by the plastic strain
+/// Johnson-Cook plasticity that counts damage, a law as law_kind.hpp says: it grows by the plastic strain
 /// over that at which the material would break in the present stress. Where it has reached 1 the law has
 /// failed; the stress stays as it is until the element dies.
 struct FailingJohnsonCookLaw : PlasticLaw<JohnsonCookHardening> {

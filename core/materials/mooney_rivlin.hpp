@@ -8,7 +8,7 @@
 
 namespace contactsim {
 
-/// Compressible Mooney-Rivlin, a law as material_law.hpp says: the stress follows from the deformation alone,
+/// Compressible Mooney-Rivlin, a law as law_kind.hpp says: the stress follows from the deformation alone,
 /// with the strain energy
 ///   c10 (J^(-2/3) I1 - 3) + c01 (J^(-4/3) I2 - 3) + bulk/4 (J^2 - 1) - bulk/2 ln J  [energy/length^3 at
 /// rest], I1 and I2 the invariants of the left Cauchy-Green tensor B, the state. Without c01 it is

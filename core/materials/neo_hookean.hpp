@@ -7,7 +7,7 @@
 
 namespace contactsim {
 
-/// Compressible neo-Hookean, a law as material_law.hpp says: the stress follows from the deformation alone,
+/// Compressible neo-Hookean, a law as law_kind.hpp says: the stress follows from the deformation alone,
 /// with the strain energy
 ///   bulk/4 (J^2 - 1) - bulk/2 ln J + shear/2 (J^(-2/3) tr B - 3)   [energy/length^3 at rest].
 /// State: the left Cauchy-Green tensor B, of which every step makes f B f^T with the step's own deformation

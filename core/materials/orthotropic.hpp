@@ -22,7 +22,7 @@ struct OrthotropicConstants {
   double g23 = std::numeric_limits<double>::quiet_NaN();   ///< > 0 [force/length^2]
 };
 
-/// Hypoelastic with three planes of symmetry, a law as material_law.hpp says: the stress rate is linear in
+/// Hypoelastic with three planes of symmetry, a law as law_kind.hpp says: the stress rate is linear in
 /// the strain rate, by moduli along directions that turn with the material. State: the directions 1 and 2.
 /// Source: Sierra/SM, ELASTIC_ORTHOTROPIC; Lekhnitskii, Theory of Elasticity of an Anisotropic Body, 1.
 struct OrthotropicLaw {

@@ -9,7 +9,7 @@
 
 namespace contactsim {
 
-/// Von Mises plasticity with associated flow, a law as material_law.hpp says, brought back to the yield
+/// Von Mises plasticity with associated flow, a law as law_kind.hpp says, brought back to the yield
 /// surface along its radius. State: the back stress (if the hardening has one), then the equivalent plastic
 /// strain. Source: Simo and Hughes, Computational Inelasticity (1998), 3.3; Wilkins, UCRL-7322 (1963).
 template <class Hardening>

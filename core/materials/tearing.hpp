@@ -5,7 +5,7 @@
 
 namespace contactsim {
 
-/// Plasticity with hardening along a curve that tears, a law as material_law.hpp says. The tearing parameter
+/// Plasticity with hardening along a curve that tears, a law as law_kind.hpp says. The tearing parameter
 /// grows with the plastic strain by
 ///   (2 s / (3 (s - mean stress)))^4, where s, the largest principal stress, pulls.
 /// When it has reached its critical value a crack begins to open, whose normal is the direction of s then.

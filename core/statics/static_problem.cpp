@@ -39,24 +39,6 @@ StaticProblem::StaticProblem(const Model& model, ForceTerms terms, StaticContact
       probe_length_(probe_share * node_distance(state.coordinates)),
       held_(unknowns_.n(), unknowns_.turn()) {}
 
-Eigen::VectorXd StaticProblem::mean_forces(Part part) const {
-  return 0.5 * (forces_of_start(part) + forces_of(part));
-}
-
-/// On nodes; those on bodies are not summed yet.
-Eigen::VectorXd StaticProblem::all_forces() const {
-  return forces_of(&NodalForces::internal) + forces_of(&NodalForces::external) +
-         forces_of(&NodalForces::contact);
-}
-
-/// Summed over bodies where they were.
-Eigen::VectorXd StaticProblem::all_forces_of_start() const {
-  Eigen::VectorXd forces = forces_of_start(&NodalForces::internal) + forces_of_start(&NodalForces::external) +
-                           forces_of_start(&NodalForces::contact);
-  bodies_.gather_at_start(forces);
-  return forces;
-}
-
 void StaticProblem::begin() {
   held_.find(model_, bodies_, state_.time);
   largest_reference_ = reference_now();
@@ -64,7 +46,7 @@ void StaticProblem::begin() {
 }
 
 void StaticProblem::let_go_until(double time) {
-  Eigen::VectorXd unbalanced = gathered(all_forces());
+  Eigen::VectorXd unbalanced = forces().gathered(forces().all());
   project(unbalanced);
   taken_over_.begin(std::move(unbalanced), state_.time, time);
 }
@@ -180,7 +162,7 @@ bool StaticProblem::evaluate_nodes(const Eigen::VectorXd& increment, Eigen::Vect
   } catch (const SolveError&) {
     return false;
   }
-  residual = all_forces();
+  residual = forces().all();
   taken_over_.take_off(taken_over_.share(state_.time), residual);
   project(residual);
   return true;
@@ -194,11 +176,11 @@ void StaticProblem::accept(const Eigen::VectorXd& increment) {
     state_.energies.external += report.supplied_work;
     state_.energies.contact += report.supplied_work;
   }
-  const Eigen::VectorXd internal = mean_forces(&NodalForces::internal);
-  const Eigen::VectorXd external = mean_forces(&NodalForces::external);
-  const Eigen::VectorXd contact = mean_forces(&NodalForces::contact);
+  const Eigen::VectorXd internal = forces().mean(&NodalForces::internal);
+  const Eigen::VectorXd external = forces().mean(&NodalForces::external);
+  const Eigen::VectorXd contact = forces().mean(&NodalForces::contact);
   Eigen::VectorXd all = internal + external + contact;
-  if (!bodies_.empty()) all = 0.5 * (all_forces_of_start() + gathered(all_forces()));
+  if (!bodies_.empty()) all = 0.5 * (forces().all_at_start() + forces().gathered(forces().all()));
   Eigen::VectorXd free = all;
   taken_over_.take_off(0.5 * (taken_over_.share(start_.time()) + taken_over_.share(state_.time)), free);
   if (let_go_.size() > 0) free -= 0.5 * let_go_;
@@ -245,19 +227,19 @@ void StaticProblem::archive(StateArchive& saved) {
 }
 
 double StaticProblem::reference_now() const {
-  Eigen::VectorXd reaction = -gathered(all_forces()), free = reaction;
+  Eigen::VectorXd reaction = -forces().gathered(forces().all()), free = reaction;
   project(free);
   reaction -= free;
   switch (kind_) {
     case ResidualReference::external:
-      return norm(gathered(forces_of(&NodalForces::external)) + reaction);
+      return norm(forces().gathered(forces().now(&NodalForces::external)) + reaction);
     case ResidualReference::internal:
-      return norm(gathered(forces_of(&NodalForces::internal)));
+      return norm(forces().gathered(forces().now(&NodalForces::internal)));
     case ResidualReference::belytschko:
       break;
   }
-  return std::max({norm(gathered(forces_of(&NodalForces::external))),
-                   norm(gathered(forces_of(&NodalForces::internal))), norm(reaction)});
+  return std::max({norm(forces().gathered(forces().now(&NodalForces::external))),
+                   norm(forces().gathered(forces().now(&NodalForces::internal))), norm(reaction)});
 }
 
 double StaticProblem::probe_factor(const Eigen::VectorXd& direction) const {

@@ -13,6 +13,7 @@
 #include "core/statics/fading_forces.hpp"
 #include "core/statics/static_springs.hpp"
 #include "core/statics/static_unknowns.hpp"
+#include "core/statics/step_forces.hpp"
 #include "core/statics/step_start.hpp"
 
 namespace contactsim {
@@ -116,21 +117,7 @@ class StaticProblem final : public Equilibrium {
   void move_to(const Eigen::VectorXd& increment);
   void set_forces(const Motion& motion);
   void set_forces_of_mesh(const Motion& motion);
-  using Part = Eigen::Matrix3Xd NodalForces::*;
-  Eigen::VectorXd forces_of(Part part) const {
-    return unknowns_.vector_of(state_.forces.*part, state_.rotations.moments.*part);
-  }
-  Eigen::VectorXd forces_of_start(Part part) const {
-    return unknowns_.vector_of(start_.forces().*part, start_.rotations().moments.*part);
-  }
-  /// The same with those of rigid bodies summed.
-  Eigen::VectorXd gathered(Eigen::VectorXd forces) const {
-    bodies_.gather(forces);
-    return forces;
-  }
-  Eigen::VectorXd mean_forces(Part part) const;
-  Eigen::VectorXd all_forces() const;
-  Eigen::VectorXd all_forces_of_start() const;
+  StepForces forces() const { return {unknowns_, bodies_, state_, start_}; }
   Eigen::VectorXd moved(const Eigen::VectorXd& increment) const;
 
   std::function<bool()> wants_end_;

@@ -9,7 +9,7 @@ namespace contactsim {
 
 /// What the forces of the start leave over.
 Eigen::VectorXd StaticProblem::unbalanced_at_start() const {
-  Eigen::VectorXd unbalanced = all_forces_of_start();
+  Eigen::VectorXd unbalanced = forces().all_at_start();
   taken_over_.take_off(taken_over_.share(start_.time()), unbalanced);
   project(unbalanced);
   return unbalanced;

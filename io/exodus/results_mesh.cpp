@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <array>
+#include <memory>
 #include <string_view>
 
 #include "io/exodus/exodus_conventions.hpp"
@@ -20,11 +21,11 @@ void add_nodes(const Mesh& mesh, ExodusDraft& draft) {
   // A dimension of length 0 would be the record dimension.
   if (mesh.n_nodes() == 0) return;
   const int n_nodes = draft.add_dimension("num_nodes", mesh.n_nodes());
-  for (Eigen::Index axis = 0; axis < 3; ++axis) {
-    draft.add_reals(names[static_cast<std::size_t>(axis)], {n_nodes}, [&mesh, axis] {
+  const auto order = std::make_shared<const FileOrder>(FileOrder::of_nodes(mesh));
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    draft.add_reals(names[axis], {n_nodes}, [&mesh, order, axis] {
       const Eigen::Matrix3Xd& x = mesh.coordinates();
-      return FileOrder::of_nodes(mesh).to_file(std::span(x.data(), static_cast<std::size_t>(x.size())), 3,
-                                               static_cast<std::size_t>(axis), 1);
+      return order->to_file(std::span(x.data(), static_cast<std::size_t>(x.size())), 3, axis, 1);
     });
   }
   if (is_counting<std::int64_t>(make_node_map(mesh))) return;

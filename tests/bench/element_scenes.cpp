@@ -20,15 +20,23 @@ MaterialLaw johnson_cook_law() {
   return PlasticLaw<JohnsonCookHardening>{steel, {{200e6, 500e6, 0.3}, 0.015, 1.0}};
 }
 
-SolidScene::SolidScene(Mesh mesh, const char* formulation, const MaterialLaw& law) : mesh_(std::move(mesh)) {
-  model_.mesh = &mesh_;
-  const ElementFormulation& row = *find_solid_element(mesh_.blocks()[0].shape, formulation);
-  model_.blocks.push_back(make_solid_block(mesh_, 0, row, ElementProperties{law, 7800.0}));
+void MovedElements::begin(ModelBlock block) {
+  model_.blocks.push_back(std::move(block));
   state_ = make_state(mesh_.coordinates(), model_.blocks, 0.0);
   internal_.emplace(model_, state_);
   x_ = mesh_.coordinates();
   v_.resizeLike(x_);
   forces_.resizeLike(x_);
+}
+
+double MovedElements::n_bytes_with(double n_arrays) const {
+  return bytes_of_forces(model_, state_) + n_arrays * sizeof(double) * static_cast<double>(x_.size());
+}
+
+SolidScene::SolidScene(Mesh mesh, const char* formulation, const MaterialLaw& law)
+    : MovedElements(std::move(mesh)) {
+  const ElementFormulation& row = *find_solid_element(mesh_.blocks()[0].shape, formulation);
+  begin(make_solid_block(mesh_, 0, row, ElementProperties{law, 7800.0}));
   for (Eigen::Index i = 0; i < x_.cols(); ++i)
     v_.col(i) = Eigen::Vector3d(std::sin(0.3 * x_(1, i)), 0.0, 0.0) * 2500.0;
 }
@@ -39,23 +47,13 @@ void SolidScene::step() {
   v_ = -v_;
 }
 
-double SolidScene::n_bytes() const {
-  // Moved here: positions and velocities are read and written.
-  return bytes_of_forces(model_, state_) + 4.0 * sizeof(double) * static_cast<double>(x_.size());
-}
-
 ShellScene::ShellScene(std::uint32_t n, const MaterialLaw& law, std::int64_t n_layers)
-    : mesh_(make_shell_sheet(n)) {
-  model_.mesh = &mesh_;
+    : MovedElements(make_shell_sheet(n)) {
   ShellSettings settings;
   settings.layers = make_layers("gauss", n_layers);
   const std::vector<double> thickness(mesh_.n_elements(), 0.1);
-  model_.blocks.push_back(
-      make_shell_block(mesh_, 0, shell4_bt_shell, ElementProperties{law, 7800.0}, settings, thickness));
-  state_ = make_state(mesh_.coordinates(), model_.blocks, 0.0);
-  internal_.emplace(model_, state_);
-  x_ = mesh_.coordinates();
-  for (auto* values : {&v_, &w_, &forces_, &moments_}) values->resizeLike(x_);
+  begin(make_shell_block(mesh_, 0, shell4_bt_shell, ElementProperties{law, 7800.0}, settings, thickness));
+  for (auto* values : {&w_, &moments_}) values->resizeLike(x_);
   for (Eigen::Index i = 0; i < x_.cols(); ++i) {
     v_.col(i) = Eigen::Vector3d(std::sin(0.3 * x_(1, i)), 0.0, 0.1 * std::sin(0.2 * x_(0, i))) * 2500.0;
     w_.col(i) = Eigen::Vector3d(std::sin(0.3 * x_(1, i)), std::cos(0.2 * x_(0, i)), 0.0) * 100.0;
@@ -70,10 +68,6 @@ void ShellScene::step() {
   internal_->set_moments(motion, moments_);
   v_ = -v_;
   w_ = -w_;
-}
-
-double ShellScene::n_bytes() const {
-  return bytes_of_forces(model_, state_) + 6.0 * sizeof(double) * static_cast<double>(x_.size());
 }
 
 TimeStepControl endless() { return {{TimePeriod{"all", 0.0, {}}}, 1e30}; }

@@ -15,23 +15,26 @@ MaterialLaw elastic_plastic_law();
 MaterialLaw ep_power_hard_law();
 MaterialLaw johnson_cook_law();
 
-/// Forces of one block of solid elements in a shear wave to and fro, of strains near 1 %, which takes the
-/// plastic laws over their yield stress in every step, even when they have hardened for a while.
-class SolidScene {
+/// One block of elements that a scene moves to and fro, asking for its forces in every step.
+class MovedElements {
  public:
-  SolidScene(Mesh mesh, const char* formulation, const MaterialLaw& law);
-  SolidScene(const SolidScene&) = delete;
-  SolidScene& operator=(const SolidScene&) = delete;
+  MovedElements(const MovedElements&) = delete;
+  MovedElements& operator=(const MovedElements&) = delete;
 
-  void step();
   const Mesh& mesh() const { return mesh_; }
   /// Of the last step [time].
   double stable_step() const { return stable_step_; }
-  double n_bytes() const;
 
   static constexpr double dt = 2e-5;
 
- private:
+ protected:
+  explicit MovedElements(Mesh mesh) : mesh_(std::move(mesh)) { model_.mesh = &mesh_; }
+  /// Begins with a block of the mesh where the mesh has it; velocities are still to be set.
+  void begin(ModelBlock block);
+  /// Bytes of forces, and of arrays of nodes that are moved besides.
+  ///   n_arrays  read or written
+  double n_bytes_with(double n_arrays) const;
+
   Mesh mesh_;
   Model model_;
   State state_;
@@ -40,27 +43,26 @@ class SolidScene {
   double stable_step_ = 0.0;
 };
 
-/// The same of a sheet of n x n shells, which is also bent.
-class ShellScene {
+/// Forces of one block of solid elements in a shear wave to and fro, of strains near 1 %, which takes the
+/// plastic laws over their yield stress in every step, even when they have hardened for a while.
+class SolidScene : public MovedElements {
  public:
-  ShellScene(std::uint32_t n, const MaterialLaw& law, std::int64_t n_layers);
-  ShellScene(const ShellScene&) = delete;
-  ShellScene& operator=(const ShellScene&) = delete;
+  SolidScene(Mesh mesh, const char* formulation, const MaterialLaw& law);
 
   void step();
-  const Mesh& mesh() const { return mesh_; }
-  double stable_step() const { return stable_step_; }
-  double n_bytes() const;
+  double n_bytes() const { return n_bytes_with(4.0); }  // positions and velocities are read and written
+};
 
-  static constexpr double dt = 2e-5;
+/// The same of a sheet of n x n shells, which is also bent.
+class ShellScene : public MovedElements {
+ public:
+  ShellScene(std::uint32_t n, const MaterialLaw& law, std::int64_t n_layers);
+
+  void step();
+  double n_bytes() const { return n_bytes_with(6.0); }
 
  private:
-  Mesh mesh_;
-  Model model_;
-  State state_;
-  std::optional<InternalForce> internal_;
-  Eigen::Matrix3Xd x_, v_, w_, forces_, moments_;
-  double stable_step_ = 0.0;
+  Eigen::Matrix3Xd w_, moments_;
 };
 
 /// Forces of nothing.

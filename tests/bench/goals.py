@@ -43,15 +43,7 @@ TIMES = [("spheres apart, FACE_FACE", "spheres_apart", 80), ("spheres apart, NOD
          ("spheres touch, FACE_FACE, penalty", "spheres_touch_penalty", 450),
          ("spheres touch, NODE_FACE, penalty", "spheres_touch_node_face_penalty", 450)]
 HEAPS = [("heap of cubes, FACE_FACE", "cubes-2000", 700), ("heap of cubes, NODE_FACE", "cubes-2000-node", 800)]
-CUBE = """begin sierra cube
- begin material steel
-  density = 7800
-  begin parameters for model elastic
-   youngs modulus = 200e9
-   poissons ratio = 0.3
-  end
- end
- begin finite element model cube
+CUBE = "begin sierra cube\n" + heap.STEEL + """ begin finite element model cube
   database name = cube.g
   begin parameters for block cube
    material = steel

@@ -33,15 +33,15 @@ SECTIONS = {
     "rods": ("begin beam section s\n section = rod\n width = 0.2\n height = 0.2\n reference axis = z\n end", "section = s"),
     "particles": ("begin particle section s\n radius = 0.5\n end", "section = s"),
 }
-DECK = """begin sierra heap
- begin material steel
+STEEL = """ begin material steel
   density = 7800
   begin parameters for model elastic
    youngs modulus = 200e9
    poissons ratio = 0.3
   end
  end
-{directions}
+"""
+DECK = "begin sierra heap\n" + STEEL + """{directions}
  {section}
  begin finite element model bodies
   database name = heap.g

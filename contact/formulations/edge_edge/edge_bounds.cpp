@@ -13,18 +13,17 @@ void EdgeBounds::update(const ContactKinematics& kinematics,
   const auto n = static_cast<std::uint32_t>(edges.size());
   bounds_.resize(n);
   if (n == 0) return;
-  const Eigen::Vector3d origin = kinematics.x(edges[{0}].nodes[0]);
+  positions_.begin(kinematics.x(edges[{0}].nodes[0]));
   parallel_for(n, threads_for(n), [&](std::uint32_t i) {
     const ContactEdge& edge = edges[{i}];
     const Eigen::Vector3d from = kinematics.x(edge.nodes[0]), along = kinematics.x(edge.nodes[1]) - from;
     const bool counts_always = !edge.is_sharp() || depth_before[{i}] > 0.0f;
     bounds_[{i}] = {
-        (from - origin).cast<float>(), along.cast<float>(),
+        positions_.position(from), along.cast<float>(),
         counts_always ? std::numeric_limits<float>::quiet_NaN() : static_cast<float>(along.norm())};
   });
-  const float farthest = parallel_max(
-      n, threads_for(n), 0.0f, [&](std::uint32_t i) { return bounds_[{i}].from.lpNorm<Eigen::Infinity>(); });
-  rounding_ = 4.0f * 0x1p-24f * farthest;
+  positions_.note_rounding(n, 4.0f,
+                           [&](std::uint32_t i) -> const Eigen::Vector3f& { return bounds_[{i}].from; });
 }
 
 std::uint32_t EdgeBounds::may_cross(const Pairs& pairs) const {
@@ -43,7 +42,7 @@ std::uint32_t EdgeBounds::may_cross(const Pairs& pairs) const {
   const FloatLanes s = apart.cross(b).dot(normal), t = apart.cross(a).dot(normal);
   // With a size L the places along the edges are wrong by |n| |p| (e + L r) where positions are by e.
   const FloatLanes size = magnitude(apart.x) + magnitude(apart.y) + magnitude(apart.z) + length_a + length_b;
-  const FloatLanes slack = lengths * (rounding_ + 2e-5f * size);
+  const FloatLanes slack = lengths * (positions_.rounding() + 2e-5f * size);
   const FloatLanes slack_a = slack * length_a, slack_b = slack * length_b;
   const FloatLanes below = -beside * square, above = (1.0f + beside) * square;
   // Comparisons with what is not a number are false.

@@ -5,6 +5,7 @@
 #include <cstdint>
 
 #include "contact/geometry/float_lanes.hpp"
+#include "contact/geometry/float_positions.hpp"
 #include "contact/mesh/contact_kinematics.hpp"
 #include "core/base/bytes_of.hpp"
 #include "core/base/indexed_vector.hpp"
@@ -39,7 +40,7 @@ class EdgeBounds {
     float length;                 // not a number of an edge that counts always
   };
   IndexedVector<EdgeIndex, Bound> bounds_;
-  float rounding_ = 0.0f;  // of positions in single precision, at most [length]
+  FloatPositions positions_;
 };
 
 }  // namespace contactsim

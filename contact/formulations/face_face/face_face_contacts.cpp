@@ -18,35 +18,6 @@ namespace {
 /// Faces that have touched something may be this share of a thickness deep in the next partner, at least.
 constexpr double slide_depth = 0.1;
 
-/// Carries the still one of two faces along with the other; a contact point's weights follow.
-void carry(const PartnerCarry& carry, MovingFace& first, MovingFace& second) {
-  if (carry.is_zero()) return;
-  MovingFace& still = carry.is_of_first ? first : second;
-  still = carry.carried(still);
-}
-void carry(const PartnerCarry& carry, ContactPoint& contact_point) {
-  if (!carry.is_zero())
-    (carry.is_of_first ? contact_point.first : contact_point.second).weights += carry.weights;
-}
-
-/// Takes an offset off the gap of two faces: the first goes by it along their common normal, which stays.
-void take_off(double offset, const MovingFace& second, MovingFace& first) {
-  if (offset == 0.0) return;
-  const auto plane = make_common_plane(first.x, first.look(), second.look());
-  if (plane) first.x.colwise() -= offset * plane->normal;
-}
-
-/// A part of an overlap as a contact of both faces, by its mean gap.
-FaceFaceContact contact_of(const OverlapShare& share, const MovingFace& first, const MovingFace& second) {
-  FaceFaceContact contact;
-  contact.normal = share.normal;
-  contact.weights_1 = share.weights_1;
-  contact.weights_2 = share.weights_2;
-  contact.area = share.area;
-  contact.gap = gap_of(share, first, second);
-  return contact;
-}
-
 }  // namespace
 
 bool FaceFaceContacts::are_far(const ContactStepContext& context, FaceIndex first, FaceIndex second) const {
@@ -92,9 +63,9 @@ void FaceFaceContacts::detect_one(const ContactStepContext& context, const Candi
   penalty.depth += std::max(faces.offset, 0.0);
   if (context.balances) {
     const double depth = penalty.depth + 1.5 * closing * context.coming_dt;
-    const FaceFaceConstraints found = find_constraints(
-        faces, {context.coming_dt, std::max(margin, held), std::max(activation_distance, held), depth,
-                flat_share * thinner(candidate)});
+    const FaceFaceConstraints found =
+        faces.find_constraints({context.coming_dt, std::max(margin, held),
+                                std::max(activation_distance, held), depth, flat_share * thinner(candidate)});
     return add_balanced_points(context, candidate, faces, found, points);
   }
   penalty.closing = context.is_static ? 0.0 : closed;
@@ -124,8 +95,8 @@ double FaceFaceContacts::offset_of(const ContactStepContext& context, const Cand
          candidate.rule.begin_gap;
 }
 
-FaceFaceContacts::MeetingFaces FaceFaceContacts::make_meeting_faces(const ContactStepContext& context,
-                                                                    const Candidate& candidate) const {
+MeetingFaces FaceFaceContacts::make_meeting_faces(const ContactStepContext& context,
+                                                  const Candidate& candidate) const {
   const OptionalIndex<std::uint32_t> smoothing = candidate.rule.pair->smoothing;
   MeetingFaces faces{context.kinematics.face(candidate.first),
                      context.kinematics.face(candidate.second),
@@ -133,16 +104,9 @@ FaceFaceContacts::MeetingFaces FaceFaceContacts::make_meeting_faces(const Contac
                      contact_mesh_.smooth_faces.find(smoothing, candidate.second),
                      offset_of(context, candidate),
                      history_.has_touched(candidate.position)};
-  carry(candidate.carry, faces.first, faces.second);
-  if (!faces.are_round()) take_off(faces.offset, faces.second, faces.first);
+  carry_along(candidate.carry, faces.first, faces.second);
+  if (!faces.are_round()) take_off_gap(faces.offset, faces.second, faces.first);
   return faces;
-}
-
-FaceFaceConstraints FaceFaceContacts::find_constraints(const MeetingFaces& faces,
-                                                       const ConstraintActivation& activation) {
-  if (!faces.are_round()) return find_face_face_constraints(faces.first, faces.second, activation);
-  const SmoothPatch patch_1(faces.first, faces.round_first), patch_2(faces.second, faces.round_second);
-  return find_smooth_constraints({patch_1, patch_2, faces.offset}, activation);
 }
 
 void FaceFaceContacts::add_spring_points(const ContactStepContext& context, const Candidate& candidate,
@@ -150,7 +114,7 @@ void FaceFaceContacts::add_spring_points(const ContactStepContext& context, cons
   const double held = candidate.rule.pair->held_gap(thinner(candidate));
   const double near = std::max(push.activation_distance, held);
   const FaceFaceConstraints found =
-      find_constraints(push.faces, {0.0, near, near, push.penalty.depth, flat_share * thinner(candidate)});
+      push.faces.find_constraints({0.0, near, near, push.penalty.depth, flat_share * thinner(candidate)});
   for (const OverlapShare& share : found.all()) {
     const FaceFaceContact contact = contact_of(share, push.faces.first, push.faces.second);
     const Eigen::Vector3d apart =
@@ -223,7 +187,7 @@ ContactPoint FaceFaceContacts::make_contact_point(const Candidate& candidate,
   contact_point.second_entity = candidate.second.value;
   contact_point.first = {first.corners, contact.weights_1};
   contact_point.second = {second.corners, contact.weights_2};
-  carry(candidate.carry, contact_point);
+  carry_along(candidate.carry, contact_point);
   contact_point.normal = contact.normal;
   contact_point.force = contact.force;
   contact_point.area = contact.area;
@@ -246,8 +210,8 @@ void FaceFaceContacts::add_pull(const ContactStepContext& context, const Candida
   FacePenaltyInput push{
       context.kinematics.last_face(candidate.first), context.kinematics.last_face(candidate.second),
       make_pair_penalty(first.penalty_properties, &second.penalty_properties, *rule.pair), context.dt};
-  carry(candidate.carry, push.first, push.second);
-  take_off(offsets.of_faces(candidate.pair, candidate.first, candidate.second), push.second, push.first);
+  carry_along(candidate.carry, push.first, push.second);
+  take_off_gap(offsets.of_faces(candidate.pair, candidate.first, candidate.second), push.second, push.first);
   ContactPoint contact_point;
   contact_point.elastic_slip = history_.elastic_slip(candidate.position);
   if (!add_face_traction(*rule.interface_law, push, contact_point)) return;
@@ -257,7 +221,7 @@ void FaceFaceContacts::add_pull(const ContactStepContext& context, const Candida
   contact_point.second_entity = candidate.second.value;
   contact_point.first.nodes = first.corners;
   contact_point.second.nodes = second.corners;
-  carry(candidate.carry, contact_point);
+  carry_along(candidate.carry, contact_point);
   points.push_back(contact_point);
 }
 

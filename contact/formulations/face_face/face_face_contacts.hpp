@@ -5,6 +5,7 @@
 
 #include "contact/formulations/contact_formulation.hpp"
 #include "contact/formulations/face_face/face_face_history.hpp"
+#include "contact/formulations/face_face/meeting_faces.hpp"
 #include "contact/formulations/face_face/weighted_gaps.hpp"
 #include "contact/formulations/start_partners.hpp"
 #include "contact/mesh/pair_lists.hpp"
@@ -42,15 +43,8 @@ class FaceFaceContacts {
   /// Appends the overlaps by whose weighted gaps detect() presses faces in load steps.
   void weigh(const ContactStepContext& context, CandidateRows rows,
              std::vector<WeightedOverlap>& overlaps) const;
-  /// What the motion of a contact node makes of a weighted gap and of the slip there.
-  struct NodeMotion {
-    std::uint32_t number = 0;  ///< of the gap, in WeightedGaps::nodes()
-    ContactNodeIndex node;     ///< contact node
-    Eigen::Vector3d opens;     ///< derivative of the gap [1]
-    double slips = 0.0;        ///< derivative of the slip, 0 without friction [1]
-  };
   /// Of all weighted gaps that press, by their numbers; that normals and areas change is left out.
-  std::vector<NodeMotion> node_motions(const ContactStepContext& context) const;
+  std::vector<WeightedGapMotion> node_motions(const ContactStepContext& context) const;
   /// How deep each face was in the last step [n_faces], 0 where it did not touch; nothing before the first
   /// [length].
   std::span<const float> depths() const { return history_.depths(); }
@@ -76,15 +70,6 @@ class FaceFaceContacts {
   /// detect_one() and add_pull().
   bool are_far(const ContactStepContext& context, FaceIndex first, FaceIndex second) const;
   Candidate make_candidate(const ContactStepContext& context, FaceIndex first, std::size_t position) const;
-  /// Two faces as they meet: carried along with each other, the offset taken off their gap, or the round
-  /// surfaces that they stand for, whose gap is still to lose it.
-  struct MeetingFaces {
-    MovingFace first, second;
-    const SmoothFace *round_first, *round_second;  ///< null of a face that stands for itself
-    double offset;                                 ///< taken off the gap of round surfaces [length]
-    bool did_touch;                                ///< in the last step
-    bool are_round() const { return round_first != nullptr || round_second != nullptr; }
-  };
   /// What is taken off the gap of the mesh [length].
   static double offset_of(const ContactStepContext& context, const Candidate& candidate);
   MeetingFaces make_meeting_faces(const ContactStepContext& context, const Candidate& candidate) const;
@@ -97,9 +82,6 @@ class FaceFaceContacts {
   /// The penalty of two faces, with the depth up to which it pushes.
   ///   closed  by which their gap has shrunk in the step [length]
   PairPenalty make_penalty(const Candidate& candidate, bool did_touch, double closed) const;
-  /// The contact points of two faces as constraints.
-  static FaceFaceConstraints find_constraints(const MeetingFaces& faces,
-                                              const ConstraintActivation& activation);
   void detect_one(const ContactStepContext& context, const Candidate& candidate,
                   std::vector<ContactPoint>& points) const;
   /// Whether weighted gaps press a pair of faces, and not the gap of each of its points.

@@ -180,9 +180,8 @@ void FaceFaceContacts::add_weighted_points(const ContactStepContext& context, co
   }
 }
 
-std::vector<FaceFaceContacts::NodeMotion> FaceFaceContacts::node_motions(
-    const ContactStepContext& context) const {
-  std::vector<NodeMotion> motions;
+std::vector<WeightedGapMotion> FaceFaceContacts::node_motions(const ContactStepContext& context) const {
+  std::vector<WeightedGapMotion> motions;
   const WeightedGaps& weighted = *context.weighted_gaps;
   for (const WeightedOverlap& overlap : weighted.overlaps()) {
     const Candidate candidate = make_candidate(context, overlap.first, overlap.candidate);
@@ -207,10 +206,10 @@ std::vector<FaceFaceContacts::NodeMotion> FaceFaceContacts::node_motions(
       }
     }
   }
-  const auto key = [](const NodeMotion& motion) { return std::pair(motion.number, motion.node); };
+  const auto key = [](const WeightedGapMotion& motion) { return std::pair(motion.number, motion.node); };
   std::ranges::stable_sort(motions, {}, key);
-  std::vector<NodeMotion> sums;
-  for (const NodeMotion& motion : motions) {
+  std::vector<WeightedGapMotion> sums;
+  for (const WeightedGapMotion& motion : motions) {
     if (!sums.empty() && key(sums.back()) == key(motion)) {
       sums.back().opens += motion.opens;
       sums.back().slips += motion.slips;

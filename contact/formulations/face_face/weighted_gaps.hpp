@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "contact/formulations/contact_step_context.hpp"
-#include "contact/geometry/face_face.hpp"
+#include "contact/geometry/face_face_constraints.hpp"
 #include "contact/interface_laws/friction.hpp"
 #include "contact/mesh/contact_mesh.hpp"
 
@@ -108,6 +108,14 @@ class WeightedGaps {
   std::vector<WeightedNode> nodes_;
   std::vector<OptionalIndex<std::uint32_t>> next_;  // of nodes_, the next one of the same row
   IndexedVector<SurfaceNodeIndex, OptionalIndex<std::uint32_t>> first_;  // of rows, their last node so far
+};
+
+/// What the motion of a contact node makes of a weighted gap and of the slip there.
+struct WeightedGapMotion {
+  std::uint32_t number = 0;  ///< of the gap, in WeightedGaps::nodes()
+  ContactNodeIndex node;
+  Eigen::Vector3d opens;  ///< derivative of the gap by the position of the node [1]
+  double slips = 0.0;     ///< derivative of the slip, 0 without friction [1]
 };
 
 }  // namespace contactsim

@@ -34,11 +34,11 @@ void ReachBounds::update(const ContactStepContext& context) {
   const auto n = static_cast<std::uint32_t>(faces.size());
   bounds_.resize(n);
   if (n == 0) return;
-  origin_ = now.x(faces[{0}].corners[0]);
+  positions_.begin(now.x(faces[{0}].corners[0]));
   parallel_for(n, threads_for(n), [&](std::uint32_t i) {
     const FaceIndex face{i};
     const FaceBound& bound = now.bound(face);
-    bounds_[face] = {place(bound.centre()),
+    bounds_[face] = {position(bound.centre()),
                      bound.radius(),
                      bound.normal(),
                      bound.normal_velocity_spread(),
@@ -49,10 +49,8 @@ void ReachBounds::update(const ContactStepContext& context) {
                      static_cast<float>(flush_width(context, face)),
                      faces[face].surface};
   });
-  const float farthest = parallel_max(n, threads_for(n), 0.0f, [&](std::uint32_t i) {
-    return bounds_[{i}].centre.lpNorm<Eigen::Infinity>();
-  });
-  rounding_ = 8.0f * 0x1p-24f * farthest;
+  positions_.note_rounding(n, 8.0f,
+                           [&](std::uint32_t i) -> const Eigen::Vector3f& { return bounds_[{i}].centre; });
 }
 
 NodeReach::NodeReach(const ContactStepContext& context, const ReachBounds& bounds, SurfaceNodeIndex row,
@@ -62,7 +60,7 @@ NodeReach::NodeReach(const ContactStepContext& context, const ReachBounds& bound
       ahead_(static_cast<float>(context.ahead())),
       is_known_(is_known) {
   const SurfaceNode& node = context.kinematics.contact_mesh().surface_nodes[row];
-  x_ = bounds.place(context.kinematics.x(node.node));
+  x_ = bounds.position(context.kinematics.x(node.node));
   v_ = context.kinematics.v(node.node).cast<float>();
   pair_ = *context.rules.find(node.surface, surface);
   rule_ = &context.rules.of_node(pair_, row);

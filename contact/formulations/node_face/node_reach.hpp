@@ -7,6 +7,7 @@
 
 #include "contact/formulations/contact_step_context.hpp"
 #include "contact/geometry/float_lanes.hpp"
+#include "contact/geometry/float_positions.hpp"
 #include "core/base/bytes_of.hpp"
 #include "core/base/indexed_vector.hpp"
 
@@ -32,15 +33,14 @@ class ReachBounds {
   /// Takes over where faces are.
   void update(const ContactStepContext& context);
   const Bound& operator[](FaceIndex face) const { return bounds_[face]; }
-  Eigen::Vector3f place(const Eigen::Vector3d& x) const { return (x - origin_).cast<float>(); }
-  /// Of places in single precision, at most [length].
-  float rounding() const { return rounding_; }
+  Eigen::Vector3f position(const Eigen::Vector3d& x) const { return positions_.position(x); }
+  /// Of positions in single precision, at most [length].
+  float rounding() const { return positions_.rounding(); }
   std::size_t bytes() const { return bytes_of(bounds_); }
 
  private:
   IndexedVector<FaceIndex, Bound> bounds_;
-  Eigen::Vector3d origin_ = Eigen::Vector3d::Zero();
-  float rounding_ = 0.0f;
+  FloatPositions positions_;
 };
 
 /// How far off the faces of one surface a node may touch them. Of faces as nodes know them, says rather too

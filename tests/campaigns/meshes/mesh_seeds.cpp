@@ -4,10 +4,11 @@
 #include <netcdf.h>
 
 #include <cmath>
-#include <numeric>
+#include <utility>
 
 #include "support/exodus_file.hpp"
 #include "support/mesh_builder.hpp"
+#include "support/sample_sets.hpp"
 
 namespace contactsim::test {
 
@@ -24,17 +25,7 @@ Mesh mixed_mesh() {
       .add_beams({.id = 4, .name = "rod", .cells = 2, .from = {0, 0, 4}, .to = {1, 0, 4}})
       .add_spheres(0, "dust", {{4, 0, 0}, {5, 0, 0}})
       .set_attributes(0, {"radius", "volume"}, {1.0, 2.0, 3.0, 4.0});
-  builder.add_side_set(5, "top", [](const CandidateSide& face) { return face.centroid.z() == 1.0; })
-      .add_side_set(6, "", std::vector<ElementSide>{})
-      .add_node_set(100, "fixed", [](const Eigen::Vector3d& x) { return x.z() == 0.0; });
-  builder.add_assembly(1, "solids", EntityKind::block, {10, 7})
-      .add_assembly(2, "sets", EntityKind::side_set, {5, 6})
-      .add_assembly(3, "everything", EntityKind::assembly, {2, 1});
-  const Mesh mesh = builder.build();
-  std::vector<std::int64_t> node_ids(mesh.n_nodes()), element_ids(mesh.n_elements());
-  std::iota(node_ids.rbegin(), node_ids.rend(), 1000);
-  std::iota(element_ids.begin(), element_ids.end(), 500);
-  return builder.set_node_ids(node_ids).set_element_ids(element_ids).build();
+  return with_sample_sets(std::move(builder)).build();
 }
 
 Mesh stacked_mesh() {

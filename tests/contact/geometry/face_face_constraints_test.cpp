@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The contact points of two faces where momentum is balanced.
-#include "contact/geometry/face_face.hpp"
+#include "contact/geometry/face_face_constraints.hpp"
 
 #include <cmath>
 #include <set>

@@ -1,40 +1,56 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What may meet what: by surfaces, sides, elements and bodies.
-#include <algorithm>
+#include "contact/search/candidate_filter.hpp"
 
-#include "contact/search/contact_search.hpp"
+#include <algorithm>
 
 namespace contactsim {
 
-bool ContactSearch::has_to_face(const PairRule& rule) const {
+namespace {
+
+bool has_to_face(const PairRule& rule, bool is_once) {
   return rule.law == ContactLaw::sliding && !rule.far && !rule.model.is_variant() && !rule.may_act_apart() &&
          rule.pair->separates && !rule.pair->gap.needs_start() &&
-         rule.pair->behavior != InteractionBehavior::infinitesimal_sliding && !is_once_;
+         rule.pair->behavior != InteractionBehavior::infinitesimal_sliding && !is_once;
 }
 
-bool ContactSearch::faces_may_meet(const ContactKinematics& kinematics, FaceIndex first, FaceIndex second) {
+}  // namespace
+
+CandidateFilter::CandidateFilter(const ContactMesh& contact_mesh, const Mesh& mesh, const PairRules& rules,
+                                 bool is_once, std::span<const OptionalIndex<std::uint32_t>> body_of)
+    : contact_mesh_(contact_mesh),
+      mesh_(mesh),
+      rules_(rules),
+      adjacent_(contact_mesh, mesh),
+      body_of_(body_of) {
+  for (const PairRule& rule : rules.rules())
+    has_to_face_.push_back(contactsim::has_to_face(rule, is_once) ? 1 : 0);
+}
+
+OptionalIndex<PairIndex> CandidateFilter::pair_of_faces(FaceIndex first, FaceIndex second) const {
+  const auto pair = rules_.find(contact_mesh_.faces[first].surface, contact_mesh_.faces[second].surface);
+  const bool is_of_faces = pair && rules_[*pair].pair->formulation == ConstraintFormulation::face_face;
+  return is_of_faces ? pair : OptionalIndex<PairIndex>();
+}
+
+bool CandidateFilter::faces_may_meet(PairIndex pair, FaceIndex first, FaceIndex second) const {
   const ContactFace &a = contact_mesh_.faces[first], &b = contact_mesh_.faces[second];
-  const OptionalIndex<PairIndex> pair = rules_.find(a.surface, b.surface);
-  if (!pair) return false;
-  const SurfacePair& of = *rules_[*pair].pair;
-  if (of.formulation != ConstraintFormulation::face_face) return false;
-  if (has_to_face_[*pair] != 0 && turned_away_.are(kinematics, first, second)) return false;
+  const SurfacePair& of = *rules_[pair].pair;
   if (!(takes_part(of, a) && takes_part(of, b))) return false;
-  if (!rules_.start_reach().may_meet_faces(*pair, first, second, a.surface)) return false;
-  if (rules_[*pair].only_ties() && n_searches_ > 0) return false;  // what was near at the start is tied
+  if (!rules_.start_reach().may_meet_faces(pair, first, second, a.surface)) return false;
+  if (rules_[pair].only_ties() && !is_first_search_) return false;
   if (a.side.element() == b.side.element() || contact_mesh_.share_node(a, b)) return false;
   if (are_skins_of_one(a.side, a.corners[0], b.side, b.corners[0])) return false;
   if (are_of_one_rigid_body(a.corners, b.corners)) return false;
   return !adjacent_.are_adjacent(first, second);
 }
 
-bool ContactSearch::node_may_meet(SurfaceNodeIndex row, FaceIndex index) const {
+bool CandidateFilter::node_may_meet(SurfaceNodeIndex row, FaceIndex index) const {
   const SurfaceNode& node = contact_mesh_.surface_nodes[row];
   const ContactFace& face = contact_mesh_.faces[index];
   const OptionalIndex<PairIndex> pair = rules_.find(node.surface, face.surface);
   if (!pair) return false;
   const SurfacePair& of = *rules_[*pair].pair;
-  if (rules_[*pair].only_ties() && n_searches_ > 0) return false;
+  if (rules_[*pair].only_ties() && !is_first_search_) return false;
   // Balls have no faces: they meet those of others as nodes, whatever the formulation.
   const bool is_sphere = node.radius > 0.0f;
   if (!is_sphere && !node.is_free && of.formulation != ConstraintFormulation::node_face) return false;
@@ -45,7 +61,7 @@ bool ContactSearch::node_may_meet(SurfaceNodeIndex row, FaceIndex index) const {
   return !has_element_of(node.node, face) && !adjacent_.are_adjacent(node, index);
 }
 
-bool ContactSearch::edges_may_meet(EdgeIndex first, EdgeIndex second) const {
+bool CandidateFilter::edges_may_meet(EdgeIndex first, EdgeIndex second) const {
   const ContactEdge &a = contact_mesh_.edges[first], &b = contact_mesh_.edges[second];
   const OptionalIndex<PairIndex> pair = rules_.find(a.surface, b.surface);
   if (!pair || rules_[*pair].only_ties()) return false;
@@ -63,11 +79,11 @@ bool ContactSearch::edges_may_meet(EdgeIndex first, EdgeIndex second) const {
   return !std::ranges::any_of(a.nodes, is_of_b) && !adjacent_.are_adjacent(a, b);
 }
 
-bool ContactSearch::is_smoothed(const ContactEdge& edge, PairIndex pair) const {
+bool CandidateFilter::is_smoothed(const ContactEdge& edge, PairIndex pair) const {
   return contact_mesh_.smooth_faces.go_on(rules_[pair].pair->smoothing, (*edge.faces)[0], (*edge.faces)[1]);
 }
 
-OptionalIndex<std::uint32_t> ContactSearch::rigid_body_of(std::span<const ContactNodeIndex> nodes) const {
+OptionalIndex<std::uint32_t> CandidateFilter::rigid_body_of(std::span<const ContactNodeIndex> nodes) const {
   if (body_of_.empty()) return {};
   const auto body = [&](ContactNodeIndex node) { return body_of_[contact_mesh_.mesh_nodes[node]]; };
   const OptionalIndex<std::uint32_t> first = body(nodes[0]);
@@ -75,15 +91,15 @@ OptionalIndex<std::uint32_t> ContactSearch::rigid_body_of(std::span<const Contac
   return is_one ? first : OptionalIndex<std::uint32_t>();
 }
 
-bool ContactSearch::are_skins_of_one(ElementSide first, ContactNodeIndex first_node, ElementSide second,
-                                     ContactNodeIndex second_node) const {
+bool CandidateFilter::are_skins_of_one(ElementSide first, ContactNodeIndex first_node, ElementSide second,
+                                       ContactNodeIndex second_node) const {
   if (!contact_mesh_.is_mesh_point(first_node) || !contact_mesh_.is_mesh_point(second_node)) return false;
   const auto nodes = mesh_.element_nodes(first.element());
   return std::ranges::any_of(mesh_.element_nodes(second.element()),
                              [&](NodeIndex node) { return std::ranges::find(nodes, node) != nodes.end(); });
 }
 
-bool ContactSearch::has_element_of(ContactNodeIndex node, const ContactFace& face) const {
+bool CandidateFilter::has_element_of(ContactNodeIndex node, const ContactFace& face) const {
   const auto nodes = mesh_.element_nodes(face.side.element());
   return std::find(nodes.begin(), nodes.end(), NodeIndex{contact_mesh_.mesh_nodes[node]}) != nodes.end();
 }
