@@ -43,7 +43,7 @@ TEST_CASE("contact numbers the nodes of its surfaces alone, in the order of the 
   CHECK(contact_mesh.first_face == std::vector<FaceIndex>{{0}, {9}, {10}, {10}});
   for (const ContactFace& face : contact_mesh.faces) {
     const auto nodes = parts.mesh.side_nodes(face.side);
-    for (std::size_t k = 0; k < 4; ++k) CHECK(contact_mesh.mesh_nodes[face.corners[k]] == nodes[k].value);
+    for (std::size_t k = 0; k < 4; ++k) CHECK(contact_mesh.mesh_nodes[face.corners[k]] == nodes[k]);
     CHECK(face.is_triangle() == (face.surface == SurfaceIndex{1}));
   }
   CHECK(contact_mesh.first_node == std::vector<SurfaceNodeIndex>{{0}, {16}, {19}, {28}});
@@ -60,7 +60,7 @@ TEST_CASE("the nodes of a surface share its area", "[contact][contact_mesh]") {
   double total = 0.0;
   for (std::uint32_t i = 0; i < 16; ++i) {
     const SurfaceNode& node = parts.contact_mesh.surface_nodes[{i}];
-    const Eigen::Vector3d x = parts.mesh.coordinates().col(parts.contact_mesh.mesh_nodes[node.node]);
+    const Eigen::Vector3d x = parts.mesh.coordinates().col(parts.contact_mesh.mesh_nodes[node.node].value);
     const bool at_x = x.x() == 0.0 || x.x() == 3.0, at_y = x.y() == 0.0 || x.y() == 3.0;
     CHECK(node.area == Approx(at_x && at_y ? 0.25 : at_x || at_y ? 0.5 : 1.0));
     CHECK(node.penalty_properties.thickness == Approx(0.5));
@@ -85,7 +85,7 @@ TEST_CASE("a six-node face is one row of ownership and four facets of contact, w
   for (const SurfaceNode& node : contact_mesh.surface_nodes) total += node.area;
   CHECK(total == Approx(1.0));
   for (const SurfaceNode& node : contact_mesh.surface_nodes) {
-    const Eigen::Vector3d x = parts.mesh.coordinates().col(contact_mesh.mesh_nodes[node.node]);
+    const Eigen::Vector3d x = parts.mesh.coordinates().col(contact_mesh.mesh_nodes[node.node].value);
     const bool is_corner = x.x() != 0.5 && x.y() != 0.5, is_between = x.x() == 0.5 && x.y() == 0.5;
     const auto n_facets = static_cast<double>(contact_mesh.faces_of_node.of(node.node).size());
     CHECK(node.area == Approx(n_facets / 24.0));  // facets of 1/8, a third of each
@@ -154,7 +154,7 @@ TEST_CASE("a node of a set that has no face all in the set takes its share of al
   const ContactParts parts(plate_and_tet(), general_contact("", surfaces));
   // Faces at x = 0 are all in the set; the tip of the tetrahedron is a corner of three of its faces.
   const SurfaceNode& tip = parts.contact_mesh.surface_nodes.back();
-  CHECK(parts.mesh.coordinates()(2, parts.contact_mesh.mesh_nodes[tip.node]) == 3.0);
+  CHECK(parts.mesh.coordinates()(2, parts.contact_mesh.mesh_nodes[tip.node].value) == 3.0);
   CHECK(tip.area == Approx((1.5 + 1.5 + 0.5 * std::sqrt(19.0)) / 3.0));
   double at_side = 0.0;
   for (std::uint32_t i = 19; i < 27; ++i) at_side += parts.contact_mesh.surface_nodes[{i}].area;
