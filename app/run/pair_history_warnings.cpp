@@ -36,7 +36,7 @@ void warn_of_lost(IndexedSpan<PairIndex, const PairHistory> histories, const Con
     if (history.n_lost == 0) continue;
     const SurfacePair& pair = contact.pairs[i];
     const auto name = [&](SurfaceIndex surface) { return contact.surfaces.surfaces[surface].name; };
-    const NodeIndex node{history.lost_node};
+    const NodeIndex node = history.lost_node;
     warnings.add_warning(
         "contact-lost", {},
         fmt::format(
@@ -58,7 +58,7 @@ void warn_of_depths(IndexedSpan<PairIndex, const PairHistory> histories, const C
 void warn_of_small_sliding(IndexedSpan<PairIndex, const PairHistory> histories, const ContactModel& contact,
                            const Mesh& mesh, Diagnostics& warnings) {
   constexpr double worth_telling = 0.5;  // of a face
-  const auto id = [&](std::uint32_t node) { return mesh.node_id(NodeIndex{node}); };
+  const auto id = [&](NodeIndex node) { return mesh.node_id(node); };
   for (const PairIndex i : indices(histories)) {
     const PairHistory& history = histories[i];
     const SurfacePair& pair = contact.pairs[i];

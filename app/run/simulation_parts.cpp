@@ -64,7 +64,8 @@ std::vector<NodeIndex> nodes_everywhere(const RunInput& input, const Setup& setu
   }
   setup.external.add_nodes_where_place_counts(nodes);
   if (contact == nullptr) return nodes;
-  for (const std::uint32_t node : contact->force().contact_mesh().mesh_nodes) nodes.push_back({node});
+  const auto& of_contact = contact->force().contact_mesh().mesh_nodes;
+  nodes.insert(nodes.end(), of_contact.begin(), of_contact.end());
   return nodes;
 }
 

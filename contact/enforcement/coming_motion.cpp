@@ -14,7 +14,7 @@ void ComingMotion::foresee(const State& state, const ContactMesh& contact_mesh,
   if (turns) turning_.resize(3, state.velocity.cols());
   const auto n_nodes = static_cast<std::uint32_t>(contact_mesh.n_nodes());
   parallel_for(n_nodes, threads_for(contact_mesh.n_mesh_points()), [&](std::uint32_t i) {
-    const auto node = static_cast<Eigen::Index>(contact_mesh.mesh_nodes[{i}]);
+    const auto node = static_cast<Eigen::Index>(contact_mesh.mesh_nodes[{i}].value);
     velocity_.col(node) = state.velocity.col(node) + half_steps * state.acceleration.col(node);
     if (!turns) return;
     turning_.col(node) =

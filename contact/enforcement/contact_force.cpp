@@ -145,10 +145,12 @@ void ContactForce::write_forces(const ContactAssembler& assembler, OffsetMoments
   const auto n_mesh_points = static_cast<std::uint32_t>(contact_mesh_.n_mesh_points());
   const IndexRange<ContactNodeIndex> of_lofts({n_mesh_points}, *contact_mesh_.nodes().end());
   // Several points of lofts may hang on one node of the mesh.
-  for (const ContactNodeIndex i : of_lofts) forces.col(contact_mesh_.mesh_nodes[i]).setZero();
-  parallel_for(n_mesh_points, threads_for(n_mesh_points),
-               [&](std::uint32_t i) { forces.col(contact_mesh_.mesh_nodes[{i}]) = nodes[{i}].head<3>(); });
-  for (const ContactNodeIndex i : of_lofts) forces.col(contact_mesh_.mesh_nodes[i]) += nodes[i].head<3>();
+  for (const ContactNodeIndex i : of_lofts) forces.col(contact_mesh_.mesh_nodes[i].value).setZero();
+  parallel_for(n_mesh_points, threads_for(n_mesh_points), [&](std::uint32_t i) {
+    forces.col(contact_mesh_.mesh_nodes[{i}].value) = nodes[{i}].head<3>();
+  });
+  for (const ContactNodeIndex i : of_lofts)
+    forces.col(contact_mesh_.mesh_nodes[i].value) += nodes[i].head<3>();
   moments.add_forces(forces);
 }
 
@@ -168,7 +170,7 @@ void ContactForce::begin_step(const Motion& motion) {
 ForceReport ContactForce::set_forces(const Motion& motion, Eigen::Matrix3Xd& forces) {
   const bool is_first = !has_begun_;
   if (is_first) forces.setZero();  // later on only contact nodes ever have another value
-  for (const std::uint32_t node : std::exchange(left_, {})) forces.col(node).setZero();
+  for (const NodeIndex node : std::exchange(left_, {})) forces.col(node.value).setZero();
   const bool have_conditions_changed = mobility_.update(motion.time);
   if (have_conditions_changed) {
     kinematics_.hold(mobility_.free_directions());

@@ -192,8 +192,8 @@ class ContactForce final : public ForceTerm, public StaticContact {
   ContactStepLimit step_limit_;
   double stored_at_start_ = 0.0;
   bool has_begun_ = false;
-  double start_step_ = 0.0;          // stable step of the elements at the start [time]
-  std::vector<std::uint32_t> left_;  // nodes of the mesh that have just left contact
+  double start_step_ = 0.0;      // stable step of the elements at the start [time]
+  std::vector<NodeIndex> left_;  // nodes of the mesh that have just left contact
 };
 
 }  // namespace contactsim

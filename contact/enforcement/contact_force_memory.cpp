@@ -78,7 +78,7 @@ std::uint64_t ContactForce::surfaces_digest() const {
   Digest digest;
   for (const ContactFace& face : contact_mesh_.faces)
     digest.add_values(std::span<const ContactNodeIndex>(face.corners));
-  digest.add_values(std::span<const std::uint32_t>(contact_mesh_.mesh_nodes));
+  digest.add_values(std::span<const NodeIndex>(contact_mesh_.mesh_nodes));
   digest.add_values(std::span<const FaceIndex>(contact_mesh_.first_face));
   digest.add_values(std::span<const SurfaceNodeIndex>(contact_mesh_.first_node));
   for (const ContactEdge& edge : contact_mesh_.edges)

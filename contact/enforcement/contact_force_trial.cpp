@@ -191,7 +191,7 @@ MultiplierChange ContactForce::update_multipliers(double tolerance) {
 Stabilization ContactForce::stabilization() const {
   Stabilization now{stabilization_.largest_share(), {}};
   for (const ContactNodeIndex node : stabilization_.nodes())
-    now.nodes.push_back(contact_mesh_.mesh_nodes[node]);
+    now.nodes.push_back(contact_mesh_.mesh_nodes[node].value);
   return now;
 }
 

@@ -18,15 +18,13 @@ namespace contactsim {
 namespace {
 
 /// Nodes of the mesh that an edge hangs on, the lower one first.
-std::pair<std::uint32_t, std::uint32_t> mesh_nodes_of(const ContactMesh& contact_mesh,
-                                                      const ContactEdge& edge) {
-  return std::minmax(contact_mesh.mesh_nodes[edge.nodes[0]], contact_mesh.mesh_nodes[edge.nodes[1]],
-                     std::less<std::uint32_t>());
+std::pair<NodeIndex, NodeIndex> mesh_nodes_of(const ContactMesh& contact_mesh, const ContactEdge& edge) {
+  return std::minmax(contact_mesh.mesh_nodes[edge.nodes[0]], contact_mesh.mesh_nodes[edge.nodes[1]]);
 }
 
 /// Sharp edges stay that were there before.
 void take_off_new_edges(const ContactMesh& before, ContactMesh& contact_mesh) {
-  std::set<std::pair<std::uint32_t, std::uint32_t>> known;
+  std::set<std::pair<NodeIndex, NodeIndex>> known;
   for (const ContactEdge& edge : before.edges) known.insert(mesh_nodes_of(before, edge));
   std::erase_if(contact_mesh.edges, [&](const ContactEdge& edge) {
     return edge.is_sharp() && !known.contains(mesh_nodes_of(contact_mesh, edge));

@@ -43,13 +43,13 @@ Eigen::Vector3d ContactMobility::arm(const ContactKinematics& kinematics, Contac
 double ContactMobility::mobility(const ContactKinematics& kinematics, ContactNodeIndex node,
                                  const Eigen::Vector3d* normal) const {
   if (is_of_body(kinematics.contact_mesh(), node)) return body_mobility(kinematics, node, normal);
-  const NodeIndex mesh_node{kinematics.contact_mesh().mesh_nodes[node]};
-  const double share = free_share(free_.of_node(mesh_node.value), normal);
+  const NodeIndex mesh_node = kinematics.contact_mesh().mesh_nodes[node];
+  const double share = free_share(free_.of_node(mesh_node), normal);
   const double mobility = share / model_.mass(0, mesh_node.value);
   const Eigen::Vector3d beside = arm(kinematics, node);
   const double inertia = model_.inertia.cols() > 0 ? model_.inertia(0, mesh_node.value) : 0.0;
   if (beside.isZero(0.0) || !(inertia > minimum_nodal_mass)) return mobility;
-  if (free_share(free_.of_turns(mesh_node.value), nullptr) == 0.0) return mobility;
+  if (free_share(free_.of_turns(mesh_node), nullptr) == 0.0) return mobility;
   const double lever = normal != nullptr ? beside.cross(*normal).squaredNorm() : beside.squaredNorm();
   return mobility + lever / inertia;
 }
@@ -57,7 +57,7 @@ double ContactMobility::mobility(const ContactKinematics& kinematics, ContactNod
 /// n P n / M + |r|^2 / I of the least moment of inertia I. Lengths from the centre are those at rest.
 double ContactMobility::body_mobility(const ContactKinematics& kinematics, ContactNodeIndex node,
                                       const Eigen::Vector3d* normal) const {
-  const std::uint32_t mesh_node = kinematics.contact_mesh().mesh_nodes[node];
+  const std::uint32_t mesh_node = kinematics.contact_mesh().mesh_nodes[node].value;
   const std::uint32_t index = *model_.rigid.nodes.body_of[mesh_node];
   const RigidBody& body = model_.rigid.bodies[index];
   const double mobility = free_share(free_.of_body(index), normal) / body.mass;
@@ -72,13 +72,13 @@ bool ContactMobility::is_held(const ContactKinematics& kinematics, ContactNodeIn
   constexpr double next_to_nothing = 1e-6;  // of what a free node gives way
   if (is_of_body(kinematics.contact_mesh(), node)) return false;
   if (free_.of_node(kinematics.contact_mesh().mesh_nodes[node]) == nullptr) return false;
-  const double mass = model_.mass(0, kinematics.contact_mesh().mesh_nodes[node]);
+  const double mass = model_.mass(0, kinematics.contact_mesh().mesh_nodes[node].value);
   return mobility(kinematics, node, normal) * mass < next_to_nothing;
 }
 
 std::size_t ContactMobility::carrier(const ContactMesh& contact_mesh, ContactNodeIndex node) const {
   if (!is_of_body(contact_mesh, node)) return contact_mesh.first_alike[node].value;
-  return contact_mesh.n_nodes() + *model_.rigid.nodes.body_of[contact_mesh.mesh_nodes[node]];
+  return contact_mesh.n_nodes() + *model_.rigid.nodes.body_of[contact_mesh.mesh_nodes[node].value];
 }
 
 IndexedSpan<ContactNodeIndex, const double> ContactMobility::find_rates(
@@ -123,11 +123,11 @@ bool ContactMobility::moves_alone(const ContactMesh& contact_mesh, ContactNodeIn
 
 Eigen::Vector3d ContactMobility::acceleration(const ContactMesh& contact_mesh, ContactNodeIndex node) const {
   if (!moves_alone(contact_mesh, node)) return Eigen::Vector3d::Zero();
-  const std::uint32_t mesh_node = contact_mesh.mesh_nodes[node];
+  const NodeIndex mesh_node = contact_mesh.mesh_nodes[node];
   const bool is_body = is_of_body(contact_mesh, node);
-  const auto body = is_body ? *model_.rigid.nodes.body_of[mesh_node] : 0;
+  const auto body = is_body ? *model_.rigid.nodes.body_of[mesh_node.value] : 0;
   const Eigen::Matrix3d* free = is_body ? free_.of_body(body) : free_.of_node(mesh_node);
-  const double mass = is_body ? model_.rigid.bodies[body].mass : model_.mass(0, mesh_node);
+  const double mass = is_body ? model_.rigid.bodies[body].mass : model_.mass(0, mesh_node.value);
   const Eigen::Vector3d& force = carrier_forces_[carrier(contact_mesh, node)];
   return free != nullptr ? Eigen::Vector3d(*free * force / mass) : Eigen::Vector3d(force / mass);
 }

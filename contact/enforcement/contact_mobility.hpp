@@ -30,7 +30,7 @@ class ContactMobility {
 
   /// Whether a contact node moves with a rigid body.
   bool is_of_body(const ContactMesh& contact_mesh, ContactNodeIndex node) const {
-    return !model_.rigid.nodes.is_free({contact_mesh.mesh_nodes[node]});
+    return !model_.rigid.nodes.is_free(contact_mesh.mesh_nodes[node]);
   }
   /// How much a contact node gives way along a unit normal to a force along it, or along any direction where
   /// there is no normal. Of a rigid body a bound.

@@ -7,16 +7,16 @@
 namespace contactsim {
 
 /// Moves a corner by the rotation of a node, or of the mid surface around it.
-void ContactSprings::add_turning(std::size_t corner, std::uint32_t mesh_node, const Eigen::Vector3d& arm,
+void ContactSprings::add_turning(std::size_t corner, NodeIndex mesh_node, const Eigen::Vector3d& arm,
                                  ContactSpring& spring) const {
   const auto number = static_cast<std::uint8_t>(corner);
   // A rotation w moves the end of an arm r by w x r = -[r] w.
   const Eigen::Matrix3d by_rotation = -cross_matrix(arm);
   const LoftSpins& spins = kinematics_.spins();
   const OptionalIndex<std::uint32_t> spin = spins.find(mesh_node);
-  if (model_.inertia.cols() > 0 && model_.inertia(0, mesh_node) > minimum_nodal_mass) {
+  if (model_.inertia.cols() > 0 && model_.inertia(0, mesh_node.value) > minimum_nodal_mass) {
     const Eigen::Matrix3d own = spin ? spins.own_turn(*spin) : Eigen::Matrix3d(Eigen::Matrix3d::Identity());
-    if (!own.isZero(0.0)) spring.ends.push_back({mesh_node, true, number, by_rotation * own});
+    if (!own.isZero(0.0)) spring.ends.push_back({mesh_node.value, true, number, by_rotation * own});
   }
   if (!spin) return;
   const auto around = spins.neighbours(*spin);
@@ -24,9 +24,9 @@ void ContactSprings::add_turning(std::size_t corner, std::uint32_t mesh_node, co
   for (std::size_t k = 0; k < around.size(); ++k) {
     const Eigen::Matrix3d share = by_rotation * spins.turn_by(*spin, k);
     sum += share;
-    spring.ends.push_back({around[k], false, number, share});
+    spring.ends.push_back({around[k].value, false, number, share});
   }
-  spring.ends.push_back({mesh_node, false, number, -sum});
+  spring.ends.push_back({mesh_node.value, false, number, -sum});
 }
 
 /// Fastens a corner to a contact node.
@@ -34,8 +34,9 @@ void ContactSprings::add_turning(std::size_t corner, std::uint32_t mesh_node, co
 void ContactSprings::add_corner(std::size_t corner, ContactNodeIndex node, const Eigen::Vector3d& beside,
                                 ContactSpring& spring) const {
   const ContactMesh& contact_mesh = kinematics_.contact_mesh();
-  const std::uint32_t mesh_node = contact_mesh.mesh_nodes[node];
-  spring.ends.push_back({mesh_node, false, static_cast<std::uint8_t>(corner), Eigen::Matrix3d::Identity()});
+  const NodeIndex mesh_node = contact_mesh.mesh_nodes[node];
+  spring.ends.push_back(
+      {mesh_node.value, false, static_cast<std::uint8_t>(corner), Eigen::Matrix3d::Identity()});
   Eigen::Vector3d arm = beside;
   if (const std::size_t n = contact_mesh.n_mesh_points(); node.value >= n)
     arm += kinematics_.offsets().col(static_cast<Eigen::Index>(node.value - n));

@@ -38,7 +38,7 @@ class ContactSprings {
   void add_corners(const ContactPoint& point, ContactSpring& spring) const;
   void add_corner(std::size_t corner, ContactNodeIndex node, const Eigen::Vector3d& beside,
                   ContactSpring& spring) const;
-  void add_turning(std::size_t corner, std::uint32_t mesh_node, const Eigen::Vector3d& arm,
+  void add_turning(std::size_t corner, NodeIndex mesh_node, const Eigen::Vector3d& arm,
                    ContactSpring& spring) const;
 
   const Model& model_;

@@ -66,14 +66,14 @@ void NodeMobility::set_nodes(const Model& model, const ModelFreeDirections& dire
   const Eigen::Matrix3d all = Eigen::Matrix3d::Identity();
   contact_node_.assign(static_cast<std::size_t>(model.mass.cols()), std::nullopt);
   for (const ContactNodeIndex i : contact_mesh.nodes()) {
-    const NodeIndex node{contact_mesh.mesh_nodes[i]};
+    const NodeIndex node = contact_mesh.mesh_nodes[i];
     if (contact_mesh.first_alike[i] == i) contact_node_[node.value] = i;
     const double mass = model.mass(0, node.value);
     if (contact_mesh.first_alike[i] != i || !rigid_->is_free(node) || !is_positive(mass)) continue;
-    const Eigen::Matrix3d* free = directions.of_node(node.value);
+    const Eigen::Matrix3d* free = directions.of_node(node);
     const double inertia = turns ? model.inertia(0, node.value) : 0.0;
     const bool is_held = free != nullptr && free->isZero(0.0);
-    const bool has_ring = kinematics_->spins().find(node.value).has_value();
+    const bool has_ring = kinematics_->spins().find(node).has_value();
     if (!is_positive(inertia) && !has_ring && (free == nullptr || is_held || *free == all)) {
       inverse_mass_[i.value] = is_held ? 0.0 : 1.0 / mass;
       continue;
@@ -82,7 +82,7 @@ void NodeMobility::set_nodes(const Model& model, const ModelFreeDirections& dire
     general.translation = (free != nullptr ? *free : all) / mass;
     general.translation_bound = largest_stretch(general.translation);
     if (!is_positive(inertia) || has_ring) continue;
-    const Eigen::Matrix3d* free_turns = directions.of_turns(node.value);
+    const Eigen::Matrix3d* free_turns = directions.of_turns(node);
     general.rotation = (free_turns != nullptr ? *free_turns : all) / inertia;
     general.rotation_bound = largest_stretch(general.rotation);
   }
@@ -135,39 +135,39 @@ std::uint32_t NodeMobility::use(std::uint32_t body) {
 std::uint32_t NodeMobility::use_node(ContactNodeIndex node) {
   const std::size_t n_before = carriers_.size();
   const std::uint32_t carrier = use(kinematics_->contact_mesh().first_alike[node].value);
-  if (carriers_.size() > n_before) mesh_nodes_.push_back(kinematics_->contact_mesh().mesh_nodes[node]);
+  if (carriers_.size() > n_before) mesh_nodes_.push_back(kinematics_->contact_mesh().mesh_nodes[node].value);
   return carrier;
 }
 
 /// Has a node of a lofted shell turn with the nodes around.
-void NodeMobility::use_ring(std::uint32_t carrier, std::uint32_t mesh_node) {
+void NodeMobility::use_ring(std::uint32_t carrier, NodeIndex mesh_node) {
   const OptionalIndex<std::uint32_t> spin = kinematics_->spins().find(mesh_node);
   if (!spin || carriers_[carrier].ring) return;
   carriers_[carrier].ring = static_cast<std::uint32_t>(rings_.size());
   carriers_[carrier].turn_bound = 1.0;
   rings_.push_back({carrier, *spin, static_cast<std::uint32_t>(ring_carriers_.size())});
-  for (const std::uint32_t other : kinematics_->spins().neighbours(*spin))
-    ring_carriers_.push_back(use_node(*contact_node_[other]));
+  for (const NodeIndex other : kinematics_->spins().neighbours(*spin))
+    ring_carriers_.push_back(use_node(*contact_node_[other.value]));
 }
 
 std::optional<std::uint32_t> NodeMobility::plain_carrier(ContactNodeIndex node) {
   const ContactMesh& contact_mesh = kinematics_->contact_mesh();
   const bool is_plain =
-      rigid_->is_free({contact_mesh.mesh_nodes[node]}) && !general_[contact_mesh.first_alike[node].value];
+      rigid_->is_free(contact_mesh.mesh_nodes[node]) && !general_[contact_mesh.first_alike[node].value];
   return is_plain ? std::optional(use_node(node)) : std::nullopt;
 }
 
 void NodeMobility::add_terms(ContactNodeIndex node, double weight, const Eigen::Vector3d& beside,
                              std::vector<CarrierTerm>& terms) {
   const ContactMesh& contact_mesh = kinematics_->contact_mesh();
-  const NodeIndex mesh_node{contact_mesh.mesh_nodes[node]};
+  const NodeIndex mesh_node = contact_mesh.mesh_nodes[node];
   if (rigid_->is_free(mesh_node)) {
     Eigen::Vector3d arm = beside;
     const std::size_t n_mesh_points = contact_mesh.n_mesh_points();
     if (node.value >= n_mesh_points)
       arm += kinematics_->offsets().col(static_cast<Eigen::Index>(node.value - n_mesh_points));
     const std::uint32_t carrier = use_node(node);
-    use_ring(carrier, mesh_node.value);
+    use_ring(carrier, mesh_node);
     terms.push_back({carrier, weight, arm});
     return;
   }

@@ -118,7 +118,7 @@ class NodeMobility {
   General& make_general(std::uint32_t body);
   std::uint32_t use(std::uint32_t body);
   std::uint32_t use_node(ContactNodeIndex node);
-  void use_ring(std::uint32_t carrier, std::uint32_t mesh_node);
+  void use_ring(std::uint32_t carrier, NodeIndex mesh_node);
   void turn_rings(Changes& of) const;
   Eigen::Vector3d moved_by(std::uint32_t carrier, const Eigen::Vector3d& force) const;
 

@@ -24,25 +24,25 @@ void OffsetMoments::visit(const Visit& visit) const {
 void OffsetMoments::add_forces(Eigen::Matrix3Xd& forces) {
   const LoftSpins& spins = kinematics_.spins();
   of_spins_.assign(spins.size(), Eigen::Vector3d::Zero());
-  visit([&](std::uint32_t node, const Eigen::Vector3d& moment) {
+  visit([&](NodeIndex node, const Eigen::Vector3d& moment) {
     if (const OptionalIndex<std::uint32_t> spin = spins.find(node)) of_spins_[*spin] += moment;
   });
   for (std::size_t i = 0; i < spins.size(); ++i) {
     if (of_spins_[i].isZero(0.0)) continue;
     const auto around = spins.neighbours(i);
-    forces.col(spins.node(i)) +=
-        spins.spread(i, of_spins_[i],
-                     [&](std::size_t k, const Eigen::Vector3d& force) { forces.col(around[k]) += force; });
+    forces.col(spins.node(i).value) += spins.spread(
+        i, of_spins_[i],
+        [&](std::size_t k, const Eigen::Vector3d& force) { forces.col(around[k].value) += force; });
   }
 }
 
 void OffsetMoments::set(const Model& model, Eigen::Matrix3Xd& moments) const {
   moments.setZero();
   const LoftSpins& spins = kinematics_.spins();
-  visit([&](std::uint32_t node, const Eigen::Vector3d& moment) {
+  visit([&](NodeIndex node, const Eigen::Vector3d& moment) {
     const OptionalIndex<std::uint32_t> spin = spins.find(node);
-    if (!(model.inertia(0, node) > minimum_nodal_mass)) return;
-    moments.col(node) += spin ? spins.own_share(*spin, moment) : moment;
+    if (!(model.inertia(0, node.value) > minimum_nodal_mass)) return;
+    moments.col(node.value) += spin ? spins.own_share(*spin, moment) : moment;
   });
 }
 

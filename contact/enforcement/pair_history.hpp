@@ -6,6 +6,8 @@
 #include <cstdint>
 #include <limits>
 
+#include "core/base/indices.hpp"
+
 namespace contactsim {
 
 /// What a pair of surfaces has done in a run. A pair that never touched keeps all zero.
@@ -29,16 +31,16 @@ struct PairHistory {
 
   /// Contacts that ended deep, because a side got past the other; the first of them (NaN: none).
   std::uint64_t n_lost = 0;
-  std::uint32_t lost_node = 0;                                   ///< of the mesh
+  NodeIndex lost_node;                                           ///< of the mesh
   double lost_time = std::numeric_limits<double>::quiet_NaN();   ///< [time]
   double lost_depth = std::numeric_limits<double>::quiet_NaN();  ///< penetration [length]
 
   /// Under INFINITESIMAL_SLIDING: how far something that touches has slid off its face of the start, over the
   /// size of that face; what has lost its faces to deaths, and slides freely since.
-  double slid_share = 0.0;          ///< [1]
-  std::uint32_t slid_node = 0;      ///< of the mesh, that has slid farthest
-  std::uint64_t n_released = 0;     ///< faces and nodes
-  std::uint32_t released_node = 0;  ///< of the mesh, the first of them
+  double slid_share = 0.0;       ///< [1]
+  NodeIndex slid_node;           ///< of the mesh, that has slid farthest
+  std::uint64_t n_released = 0;  ///< faces and nodes
+  NodeIndex released_node;       ///< of the mesh, the first of them
 
   bool has_touched() const { return contact_time > 0.0 || peak_force > 0.0; }
 };

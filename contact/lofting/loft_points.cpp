@@ -12,7 +12,7 @@ namespace contactsim {
 namespace {
 
 /// What makes two vertices one point, whichever of the shells is asked.
-using OffsetKey = std::tuple<std::uint32_t, double, std::vector<TurnedShell>>;
+using OffsetKey = std::tuple<NodeIndex, double, std::vector<TurnedShell>>;
 
 OffsetKey key_of(NodeIndex node, const LoftOffset& offset, std::span<const TurnedShell> shells) {
   std::vector<TurnedShell> around(shells.begin(), shells.end());
@@ -20,14 +20,14 @@ OffsetKey key_of(NodeIndex node, const LoftOffset& offset, std::span<const Turne
   if (is_turned) {
     for (TurnedShell& one : around) one.is_turned = !one.is_turned;
   }
-  return {node.value, is_turned ? -offset.height : offset.height, std::move(around)};
+  return {node, is_turned ? -offset.height : offset.height, std::move(around)};
 }
 
-std::array<std::uint32_t, 4> corners_of(const Mesh& mesh, ElementIndex element) {
+std::array<NodeIndex, 4> corners_of(const Mesh& mesh, ElementIndex element) {
   const auto nodes = mesh.element_nodes(element);
   const std::size_t n =
       static_cast<std::size_t>(topology(mesh.blocks()[mesh.block_of(element)].shape).n_corners);
-  return {nodes[0].value, nodes[1].value, nodes[2].value, nodes[n - 1].value};
+  return {nodes[0], nodes[1], nodes[2], nodes[n - 1]};
 }
 
 }  // namespace
@@ -45,7 +45,7 @@ LoftPoints::LoftPoints(const LoftGeometry& loft, const Mesh& mesh)
         known.try_emplace(key_of(node, offset, shells), static_cast<std::uint32_t>(offsets_.size()));
     point_of_vertex_[vertex] = found->second;
     if (!is_new) continue;
-    nodes_.push_back(node.value);
+    nodes_.push_back(node);
     offsets_.push_back(offset);
   }
 }
@@ -56,8 +56,8 @@ void LoftPoints::find_offsets(const Eigen::Matrix3Xd& coordinates, Eigen::Matrix
   areas.resize(3, n_shells);
   parallel_for(n_shells, threads_for(shell_nodes_.size()), [&](std::int64_t i) {
     const auto& nodes = shell_nodes_[static_cast<std::size_t>(i)];
-    areas.col(i) = area_vector(coordinates.col(nodes[0]), coordinates.col(nodes[1]),
-                               coordinates.col(nodes[2]), coordinates.col(nodes[3]));
+    areas.col(i) = area_vector(coordinates.col(nodes[0].value), coordinates.col(nodes[1].value),
+                               coordinates.col(nodes[2].value), coordinates.col(nodes[3].value));
   });
   const auto n_points = static_cast<std::int64_t>(offsets_.size());
   offsets.resize(3, n_points);

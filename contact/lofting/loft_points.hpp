@@ -26,11 +26,11 @@ class LoftPoints {
   /// The point of a vertex of a brick; nothing for one that no shell offsets.
   OptionalIndex<std::uint32_t> of_vertex(std::uint32_t vertex) const { return point_of_vertex_[vertex]; }
   /// The node of the mesh that a point hangs on, its distance from it and the shell's thickness [length].
-  std::uint32_t node(std::size_t point) const { return nodes_[point]; }
+  NodeIndex node(std::size_t point) const { return nodes_[point]; }
   double distance(std::size_t point) const { return std::abs(offsets_[point].height); }
   double thickness(std::size_t point) const { return offsets_[point].thickness; }
   /// The nodes of the mesh of each shell; a triangle repeats its last.
-  std::span<const std::array<std::uint32_t, 4>> shell_nodes() const { return shell_nodes_; }
+  std::span<const std::array<NodeIndex, 4>> shell_nodes() const { return shell_nodes_; }
 
   /// The way from the node to each point.
   ///   coordinates  3 x n_nodes of the mesh [length]
@@ -41,10 +41,10 @@ class LoftPoints {
 
  private:
   std::vector<OptionalIndex<std::uint32_t>> point_of_vertex_;  // [n_vertices]
-  std::vector<std::uint32_t> nodes_;                           // [n_points]
+  std::vector<NodeIndex> nodes_;                               // [n_points]
   std::vector<LoftOffset> offsets_;                            // [n_points]
   std::vector<TurnedShell> offset_shells_;                     // of the arms
-  std::vector<std::array<std::uint32_t, 4>> shell_nodes_;      // [n_shells]; a triangle repeats its last
+  std::vector<std::array<NodeIndex, 4>> shell_nodes_;          // [n_shells]; a triangle repeats its last
 };
 
 }  // namespace contactsim

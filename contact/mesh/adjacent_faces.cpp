@@ -50,7 +50,7 @@ void AdjacentFaces::renew(const Mesh& mesh) {
   find_bodies();
   x_.resize(3, static_cast<Eigen::Index>(contact_mesh.n_nodes()));
   for (const ContactNodeIndex i : contact_mesh.nodes())
-    x_.col(i.value) = mesh.coordinates().col(contact_mesh.mesh_nodes[i]);
+    x_.col(i.value) = mesh.coordinates().col(contact_mesh.mesh_nodes[i].value);
   bound_bodies();
 }
 

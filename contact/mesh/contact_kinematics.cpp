@@ -29,8 +29,9 @@ void ContactKinematics::move_nodes(const Motion& motion) {
   velocity_ = last_velocity_ = &motion.velocity;
   turning_ = last_turning_ = find_turning(motion, past_turning_);
   x_.resize(3, n_nodes);
-  parallel_for(n_nodes, threads_for(contact_mesh_.n_nodes()),
-               [&](std::uint32_t i) { x_.col(i) = motion.coordinates.col(contact_mesh_.mesh_nodes[{i}]); });
+  parallel_for(n_nodes, threads_for(contact_mesh_.n_nodes()), [&](std::uint32_t i) {
+    x_.col(i) = motion.coordinates.col(contact_mesh_.mesh_nodes[{i}].value);
+  });
   if (contact_mesh_.loft.size() > 0) move_lofts(motion);
 }
 
@@ -55,11 +56,11 @@ const Eigen::Matrix3Xd* ContactKinematics::find_turning(const Motion& motion,
     turning.setZero(3, motion.velocity.cols());
   }
   parallel_for(spins_.size(), threads_for(spins_.size()), [&](std::size_t i) {
-    const std::uint32_t node = spins_.node(i);
+    const std::uint32_t node = spins_.node(i).value;
     const auto around = spins_.neighbours(i);
     const Eigen::Vector3d own = turning.col(node), velocity = motion.velocity.col(node);
     turning.col(node) =
-        spins_.spin(i, own, velocity, [&](std::size_t k) { return motion.velocity.col(around[k]); });
+        spins_.spin(i, own, velocity, [&](std::size_t k) { return motion.velocity.col(around[k].value); });
   });
   return &turning;
 }
@@ -89,9 +90,9 @@ void ContactKinematics::archive(StateArchive& saved) {
 }
 
 void ContactKinematics::turn_offsets(const Motion& motion) {
-  const auto own_of = [&](std::uint32_t node) -> Eigen::Vector3d {
+  const auto own_of = [&](NodeIndex node) -> Eigen::Vector3d {
     if (motion.angular_velocity == nullptr) return Eigen::Vector3d::Zero();
-    return motion.angular_velocity->col(node);
+    return motion.angular_velocity->col(node.value);
   };
   turns_.resize(spins_.size());
   parallel_for(spins_.size(), threads_for(spins_.size()), [&](std::size_t i) {
@@ -100,7 +101,7 @@ void ContactKinematics::turn_offsets(const Motion& motion) {
     turns_[i] = Eigen::AngleAxisd(2.0 * std::atan(0.5 * turn.norm()), turn.stableNormalized()).matrix();
   });
   parallel_for(offsets_.cols(), threads_for(contact_mesh_.loft.size()), [&](Eigen::Index i) {
-    const std::uint32_t node = contact_mesh_.loft.node(static_cast<std::size_t>(i));
+    const NodeIndex node = contact_mesh_.loft.node(static_cast<std::size_t>(i));
     const OptionalIndex<std::uint32_t> spin = spins_.find(node);
     const Eigen::Vector3d turn = motion.dt * own_of(node), offset = offsets_.col(i);
     if (spin) {
@@ -130,7 +131,7 @@ void ContactKinematics::find_loft_velocities() {
   const Eigen::Index n_points = offsets_.cols();
   loft_velocity_.resize(3, n_points);
   parallel_for(n_points, threads_for(contact_mesh_.loft.size()), [&](Eigen::Index i) {
-    const Eigen::Index node = contact_mesh_.loft.node(static_cast<std::size_t>(i));
+    const Eigen::Index node = contact_mesh_.loft.node(static_cast<std::size_t>(i)).value;
     loft_velocity_.col(i) = velocity_->col(node);
     if (turning_ == nullptr) return;
     const Eigen::Vector3d turning = turning_->col(node);

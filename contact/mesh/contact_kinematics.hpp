@@ -59,12 +59,12 @@ class ContactKinematics {
   Eigen::Map<const Eigen::Vector3d> v(ContactNodeIndex node) const {
     const std::size_t n_mesh_points = contact_mesh_.n_mesh_points();
     return Eigen::Map<const Eigen::Vector3d>(
-        node.value < n_mesh_points ? velocity_->data() + 3 * std::size_t{contact_mesh_.mesh_nodes[node]}
+        node.value < n_mesh_points ? velocity_->data() + 3 * std::size_t{contact_mesh_.mesh_nodes[node].value}
                                    : loft_velocity_.data() + 3 * (node.value - n_mesh_points));
   }
   /// In the step before, whatever is foreseen [length/time].
   Eigen::Vector3d last_v(ContactNodeIndex node) const {
-    Eigen::Vector3d velocity = last_velocity_->col(contact_mesh_.mesh_nodes[node]);
+    Eigen::Vector3d velocity = last_velocity_->col(contact_mesh_.mesh_nodes[node].value);
     const std::size_t n_mesh_points = contact_mesh_.n_mesh_points();
     if (node.value < n_mesh_points || last_turning_ == nullptr) return velocity;
     return velocity +
@@ -77,13 +77,13 @@ class ContactKinematics {
   }
   Eigen::Vector3d velocity_beside(ContactNodeIndex node, const Eigen::Vector3d& arm) const {
     if (turning_ == nullptr) return v(node);
-    return v(node) + Eigen::Vector3d(turning_->col(contact_mesh_.mesh_nodes[node])).cross(arm);
+    return v(node) + Eigen::Vector3d(turning_->col(contact_mesh_.mesh_nodes[node].value)).cross(arm);
   }
   /// How the surface turned in the step before about the node of the mesh that a contact node hangs on
   /// [1/time].
   Eigen::Vector3d last_turning(ContactNodeIndex node) const {
     if (last_turning_ == nullptr) return Eigen::Vector3d::Zero();
-    return last_turning_->col(contact_mesh_.mesh_nodes[node]);
+    return last_turning_->col(contact_mesh_.mesh_nodes[node].value);
   }
   /// The way from the node of the mesh to the points of lofts [3 x n_loft_points] [length].
   const Eigen::Matrix3Xd& offsets() const { return offsets_; }

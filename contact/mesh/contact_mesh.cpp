@@ -18,8 +18,8 @@ namespace contactsim {
 
 namespace {
 
-IndexedVector<ContactNodeIndex, std::uint32_t> collect_nodes(const ContactModel& contact, const Mesh& mesh,
-                                                             std::span<const ErodedNode> eroded_nodes) {
+IndexedVector<ContactNodeIndex, NodeIndex> collect_nodes(const ContactModel& contact, const Mesh& mesh,
+                                                         std::span<const ErodedNode> eroded_nodes) {
   std::vector<std::uint8_t> is_used(mesh.n_nodes(), 0);
   for (const ErodedNode& free : eroded_nodes) is_used[free.node.value] = 1;
   for (const ContactSurface& surface : contact.surfaces.surfaces) {
@@ -34,10 +34,10 @@ IndexedVector<ContactNodeIndex, std::uint32_t> collect_nodes(const ContactModel&
     for (const NodeIndex node : mesh.element_nodes(rod.element).first(2)) is_used[node.value] = 1;
   }
   for (const LoftSphere& sphere : contact.loft.spheres) is_used[sphere.centre.value] = 1;
-  IndexedVector<ContactNodeIndex, std::uint32_t> nodes;
+  IndexedVector<ContactNodeIndex, NodeIndex> nodes;
   nodes.reserve(static_cast<std::size_t>(std::count(is_used.begin(), is_used.end(), 1)));
   for (std::uint32_t node = 0; node < mesh.n_nodes(); ++node) {
-    if (is_used[node] != 0) nodes.push_back(node);
+    if (is_used[node] != 0) nodes.push_back({node});
   }
   return nodes;
 }
@@ -144,7 +144,7 @@ double thickness_behind(const Mesh& mesh, ElementSide side) {
 
 ContactNodeIndex ContactMesh::find_node(NodeIndex node) const {
   const auto begin = mesh_nodes.begin(), end = begin + static_cast<std::ptrdiff_t>(n_mesh_points());
-  return index_of(mesh_nodes, std::lower_bound(begin, end, node.value));
+  return index_of(mesh_nodes, std::lower_bound(begin, end, node));
 }
 
 std::optional<SurfaceNodeIndex> ContactMesh::find_row(ContactNodeIndex node, SurfaceIndex surface) const {
@@ -197,7 +197,7 @@ void add_penalty_properties(const Model& model, ContactMesh& contact_mesh) {
   contact_mesh.mass.clear();
   contact_mesh.mass.reserve(contact_mesh.n_nodes());
   for (const ContactNodeIndex i : contact_mesh.nodes()) {
-    const auto node = static_cast<Eigen::Index>(contact_mesh.mesh_nodes[i]);
+    const auto node = static_cast<Eigen::Index>(contact_mesh.mesh_nodes[i].value);
     double mass = model.mass(0, node);
     const bool turns = model.inertia.cols() > 0 && model.inertia(0, node) > minimum_nodal_mass;
     if (!contact_mesh.is_mesh_point(i) && turns) {

@@ -89,7 +89,7 @@ struct ContactEdge {
 /// mesh, ascending as there, then points of lofts, which hang on nodes of the mesh. Const between deaths of
 /// elements.
 struct ContactMesh {
-  IndexedVector<ContactNodeIndex, std::uint32_t> mesh_nodes;      ///< of the mesh; of lofts what they hang on
+  IndexedVector<ContactNodeIndex, NodeIndex> mesh_nodes;          ///< of the mesh; of lofts what they hang on
   LoftPoints loft;                                                ///< the last of the contact nodes
   IndexedVector<ContactNodeIndex, ContactNodeIndex> first_alike;  ///< the first one with the same mesh node
   IndexedVector<FaceIndex, ContactFace> faces;  ///< by surface, then as the surface has them, facet by facet

@@ -26,11 +26,11 @@ void match(std::span<const Key> before, std::span<const Key> after, AnIndex firs
 }
 
 /// What tells a face of a surface from its others. Those of lofts follow the others, joints those of bricks.
-using FaceKey = std::tuple<int, ElementSide, std::array<std::uint32_t, 4>>;
+using FaceKey = std::tuple<int, ElementSide, std::array<NodeIndex, 4>>;
 
 FaceKey key_of(const ContactMesh& contact_mesh, const ContactFace& face) {
-  constexpr int of_edges = 6;            // sides of a shell's brick; those of joints are greater
-  std::array<std::uint32_t, 4> nodes{};  // of the mesh
+  constexpr int of_edges = 6;        // sides of a shell's brick; those of joints are greater
+  std::array<NodeIndex, 4> nodes{};  // of the mesh
   const bool is_joint = contact_mesh.is_lofted(face) && face.side.side() > of_edges;
   for (std::size_t k = 0; is_joint && k < 4; ++k) nodes[k] = contact_mesh.mesh_nodes[face.corners[k]];
   return {is_joint ? 2 : contact_mesh.is_lofted(face) ? 1 : 0, face.side, nodes};
@@ -45,9 +45,9 @@ std::vector<FaceKey> face_keys(const ContactMesh& contact_mesh, SurfaceIndex sur
 
 /// Nodes of the mesh are the same by their numbers there, points of lofts by the faces that have them.
 void match_nodes(const ContactMesh& before, const ContactMesh& after, ContactRemap& remap) {
-  match<std::uint32_t>(std::span<const std::uint32_t>(before.mesh_nodes).first(before.n_mesh_points()),
-                       std::span<const std::uint32_t>(after.mesh_nodes).first(after.n_mesh_points()),
-                       ContactNodeIndex{0}, remap.nodes);
+  match<NodeIndex>(std::span<const NodeIndex>(before.mesh_nodes).first(before.n_mesh_points()),
+                   std::span<const NodeIndex>(after.mesh_nodes).first(after.n_mesh_points()),
+                   ContactNodeIndex{0}, remap.nodes);
   remap.nodes.resize(before.n_nodes());
   for (const FaceIndex f : indices(before.faces)) {
     if (!remap.faces[f] || !before.is_lofted(before.faces[f])) continue;

@@ -16,7 +16,7 @@ bool has_shape(const ContactMesh& contact_mesh, const ContactFace& face,
   const int n = face.is_triangle() ? 3 : 4;
   Eigen::Matrix<double, 3, 4> x;
   for (int k = 0; k < 4; ++k)
-    x.col(k) = coordinates.col(contact_mesh.mesh_nodes[face.corners[static_cast<std::size_t>(k)]]);
+    x.col(k) = coordinates.col(contact_mesh.mesh_nodes[face.corners[static_cast<std::size_t>(k)]].value);
   x.colwise() -= Eigen::Vector3d(x.col(0));  // large coordinates would cost digits
   Eigen::Vector3d area = Eigen::Vector3d::Zero();
   double edges_squared = 0.0;

@@ -22,8 +22,8 @@ class ModelFreeDirections {
 
   /// Projection on the free directions of a node of the mesh or of a rigid body, by its position: on all of
   /// them while none of its conditions acts. Null of what no condition is of.
-  const Eigen::Matrix3d* of_node(std::uint32_t node) const { return nodes_.find(node); }
-  const Eigen::Matrix3d* of_turns(std::uint32_t node) const { return turns_.find(node); }
+  const Eigen::Matrix3d* of_node(NodeIndex node) const { return nodes_.find(node.value); }
+  const Eigen::Matrix3d* of_turns(NodeIndex node) const { return turns_.find(node.value); }
   const Eigen::Matrix3d* of_body(std::uint32_t body) const { return bodies_.find(body); }
   const Eigen::Matrix3d* of_body_turns(std::uint32_t body) const { return body_turns_.find(body); }
 

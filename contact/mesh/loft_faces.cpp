@@ -101,9 +101,9 @@ void add_loft_points(const ContactModel& contact, const Mesh& mesh, ContactMesh&
   made.first_alike.resize(n_mesh_points);
   std::ranges::copy(made.nodes(), made.first_alike.begin());
   made.loft = LoftPoints(contact.loft, mesh);
-  std::map<std::uint32_t, ContactNodeIndex> first_on_node;
+  std::map<NodeIndex, ContactNodeIndex> first_on_node;
   for (std::uint32_t i = 0; i < made.loft.size(); ++i) {
-    const std::uint32_t node = made.loft.node(i);
+    const NodeIndex node = made.loft.node(i);
     const auto own = made.mesh_nodes.begin() + n_mesh_points;
     const auto found = std::lower_bound(made.mesh_nodes.begin(), own, node);
     const bool is_mesh_point = found != own && *found == node;

@@ -37,11 +37,11 @@ double size_of_cross(const Eigen::Vector3d& arm, const Eigen::Matrix3d& flexible
 
 LoftSpins::LoftSpins(const LoftPoints& loft, std::size_t n_mesh_nodes, const RigidNodes& rigid)
     : first_{0}, index_(n_mesh_nodes) {
-  std::vector<std::pair<std::uint32_t, std::uint32_t>> around;
+  std::vector<std::pair<NodeIndex, NodeIndex>> around;
   for (const auto& shell : loft.shell_nodes()) {
-    for (const std::uint32_t node : shell) {
-      for (const std::uint32_t other : shell) {
-        if (node != other && rigid.is_free({node}) && rigid.is_free({other})) around.push_back({node, other});
+    for (const NodeIndex node : shell) {
+      for (const NodeIndex other : shell) {
+        if (node != other && rigid.is_free(node) && rigid.is_free(other)) around.push_back({node, other});
       }
     }
   }
@@ -77,7 +77,7 @@ void LoftSpins::update(const Eigen::Matrix3Xd& coordinates) {
   for (std::size_t i = 0; i < nodes_.size(); ++i) {
     Eigen::Matrix3d inertia = Eigen::Matrix3d::Zero();
     for (std::size_t k = first_[i]; k < first_[i + 1]; ++k) {
-      arms_[k] = coordinates.col(neighbours_[k]) - coordinates.col(nodes_[i]);
+      arms_[k] = coordinates.col(neighbours_[k].value) - coordinates.col(nodes_[i].value);
       inertia += inertia_of(arms_[k]);
     }
     flexible_[i] = inverse_or_zero(inertia);
@@ -95,9 +95,10 @@ Eigen::Vector3d LoftSpins::mid_spin(std::size_t i, const Eigen::Matrix3Xd& coord
                                     const Eigen::Vector3d& own) const {
   Eigen::Matrix3d inertia = Eigen::Matrix3d::Zero();
   Eigen::Vector3d sum = Eigen::Vector3d::Zero();
-  for (const std::uint32_t other : neighbours(i)) {
-    const Eigen::Vector3d moves = velocity.col(other) - velocity.col(nodes_[i]);
-    const Eigen::Vector3d arm = coordinates.col(other) - coordinates.col(nodes_[i]) - 0.5 * dt * moves;
+  for (const NodeIndex other : neighbours(i)) {
+    const Eigen::Vector3d moves = velocity.col(other.value) - velocity.col(nodes_[i].value);
+    const Eigen::Vector3d arm =
+        coordinates.col(other.value) - coordinates.col(nodes_[i].value) - 0.5 * dt * moves;
     inertia += inertia_of(arm);
     sum += arm.cross(moves);
   }

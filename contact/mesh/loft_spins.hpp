@@ -9,6 +9,8 @@
 #include "contact/geometry/cross_matrix.hpp"
 #include "contact/lofting/loft_points.hpp"
 #include "contact/mesh/free_directions.hpp"
+#include "core/base/indexed_vector.hpp"
+#include "core/base/indices.hpp"
 #include "core/base/optional_index.hpp"
 #include "core/rigid/rigid_nodes.hpp"
 
@@ -39,13 +41,13 @@ class LoftSpins {
 
   std::size_t size() const { return nodes_.size(); }
   /// The node of the mesh with a spin.
-  std::uint32_t node(std::size_t i) const { return nodes_[i]; }
+  NodeIndex node(std::size_t i) const { return nodes_[i]; }
   /// Position of a node of the mesh among those with a spin; nothing without one.
-  OptionalIndex<std::uint32_t> find(std::uint32_t mesh_node) const {
+  OptionalIndex<std::uint32_t> find(NodeIndex mesh_node) const {
     return index_.empty() ? OptionalIndex<std::uint32_t>() : index_[mesh_node];
   }
   /// The nodes of the mesh around a node.
-  std::span<const std::uint32_t> neighbours(std::size_t i) const {
+  std::span<const NodeIndex> neighbours(std::size_t i) const {
     return std::span(neighbours_).subspan(first_[i], first_[i + 1] - first_[i]);
   }
 
@@ -95,8 +97,9 @@ class LoftSpins {
   }
 
  private:
-  std::vector<std::uint32_t> nodes_, first_, neighbours_;
-  std::vector<OptionalIndex<std::uint32_t>> index_;
+  std::vector<NodeIndex> nodes_, neighbours_;
+  std::vector<std::uint32_t> first_;
+  IndexedVector<NodeIndex, OptionalIndex<std::uint32_t>> index_;
   std::vector<Eigen::Matrix3d> free_;        // [size()] projection on rotations that are free [1]
   std::vector<Eigen::Matrix3d> flexible_;    // [size()] (sum |r|^2 I - r r^T)^-1 [1/length^2]
   std::vector<double> own_bounds_, bounds_;  // [size()] [n_neighbours] see bound() [1/length]

@@ -41,7 +41,7 @@ double share_of(const Mesh& mesh, const ErodedNode& free) {
 
 ContactNumbers::ContactNumbers(const Mesh& mesh, const ContactMesh& made)
     : mesh_(mesh), n_nodes_(made.n_mesh_points()), numbers_(mesh.n_nodes()) {
-  for (std::uint32_t i = 0; i < n_nodes_; ++i) numbers_[made.mesh_nodes[{i}]] = {i};
+  for (std::uint32_t i = 0; i < n_nodes_; ++i) numbers_[made.mesh_nodes[{i}].value] = {i};
 }
 
 /// Adds to the nodes of sides that are wanted their shares of area and of thickness times area.
@@ -61,14 +61,14 @@ void SurfaceNodes::add_shares(std::span<const ElementSide> sides, const IsWanted
 
 /// Sets what the corners of faces stand for. Returns them, ascending.
 std::vector<ContactNodeIndex> SurfaceNodes::take_faces(
-    std::span<const ContactFace> faces, IndexedSpan<ContactNodeIndex, const std::uint32_t> mesh_nodes) {
+    std::span<const ContactFace> faces, IndexedSpan<ContactNodeIndex, const NodeIndex> mesh_nodes) {
   for (const ContactFace& face : faces) {
     for (const ContactNodeIndex corner : face.corners) of_node_[corner] = {};
   }
   std::vector<ContactNodeIndex> nodes;
   for (const ContactFace& face : faces) {
     FacetNodes corners;
-    for (std::size_t k = 0; k < 4; ++k) corners[k] = {mesh_nodes[face.corners[k]]};
+    for (std::size_t k = 0; k < 4; ++k) corners[k] = mesh_nodes[face.corners[k]];
     const double share = corner_share(numbers_.mesh(), corners);
     for (std::size_t k = 0; k < n_corners(corners); ++k) {
       SurfaceNode& node = of_node_[face.corners[k]];

@@ -46,7 +46,7 @@ class SurfaceNodes {
   template <class IsWanted>
   void add_shares(std::span<const ElementSide> sides, const IsWanted& is_wanted);
   std::vector<ContactNodeIndex> take_faces(std::span<const ContactFace> faces,
-                                           IndexedSpan<ContactNodeIndex, const std::uint32_t> mesh_nodes);
+                                           IndexedSpan<ContactNodeIndex, const NodeIndex> mesh_nodes);
   std::vector<ContactNodeIndex> take_set(std::span<const NodeIndex> nodes);
   void add_elements(std::span<const std::uint8_t> is_in);
 

@@ -84,7 +84,7 @@ void ContactOutput::begin() {
   contact_node_.assign(model_.mesh->n_nodes(), std::nullopt);
   const ContactMesh& contact_mesh = force_.contact_mesh();
   for (const ContactNodeIndex i : contact_mesh.nodes())
-    contact_node_[contact_mesh.mesh_nodes[i]] = contact_mesh.first_alike[i];
+    contact_node_[contact_mesh.mesh_nodes[i].value] = contact_mesh.first_alike[i];
   nodes_.resize(contact_mesh.n_nodes());
 }
 

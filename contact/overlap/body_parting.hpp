@@ -46,7 +46,7 @@ class BodyParting {
 
  private:
   std::uint32_t body_of(ContactNodeIndex point) const {
-    return deep_.bodies()[parts_.contact_mesh.mesh_nodes[point]];
+    return deep_.bodies()[parts_.contact_mesh.mesh_nodes[point].value];
   }
 
   const ContactModel& model_;

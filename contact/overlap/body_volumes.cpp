@@ -24,7 +24,7 @@ BodyVolumes::BodyVolumes(const Mesh& mesh, const ContactMesh& contact_mesh,
 void BodyVolumes::find_thick_bodies() {
   for (const ContactFace& face : contact_mesh_.faces) {
     if (!contact_mesh_.is_lofted(face) && !is_solid(mesh_, face.side)) continue;
-    const std::uint32_t body = bodies_[contact_mesh_.mesh_nodes[face.corners[0]]];
+    const std::uint32_t body = bodies_[contact_mesh_.mesh_nodes[face.corners[0]].value];
     if (number_of_body_[body]) continue;
     number_of_body_[body] = 0;
     thick_bodies_.push_back(body);
@@ -36,10 +36,10 @@ void BodyVolumes::find_thick_bodies() {
 std::vector<Box> BodyVolumes::boxes(const Eigen::Matrix3Xd& coordinates,
                                     const ContactKinematics& kinematics) const {
   std::vector<Box> boxes(thick_bodies_.size(), empty_box());
-  const auto extend = [&](std::uint32_t mesh_node, const Eigen::Vector3d& x) {
-    if (const auto number = number_of_body(mesh_node)) add_point(x, boxes[*number]);
+  const auto extend = [&](NodeIndex mesh_node, const Eigen::Vector3d& x) {
+    if (const auto number = number_of_body(mesh_node.value)) add_point(x, boxes[*number]);
   };
-  for (std::uint32_t i = 0; i < mesh_.n_nodes(); ++i) extend(i, coordinates.col(i));
+  for (std::uint32_t i = 0; i < mesh_.n_nodes(); ++i) extend({i}, coordinates.col(i));
   for (const Loft& loft : lofts_) {
     for (const ContactNodeIndex point : loft.corners)
       extend(contact_mesh_.mesh_nodes[point], kinematics.x(point));
@@ -103,7 +103,7 @@ std::vector<BodyVolume> BodyVolumes::near(const Eigen::Matrix3Xd& coordinates,
     const bool is_triangle = loft[2] == loft[3];
     const std::size_t n = is_triangle ? 3 : 4;
     volume.shape = is_triangle ? Shape::wedge6 : Shape::hex8;
-    volume.body = bodies_[contact_mesh_.mesh_nodes[loft[0]]];
+    volume.body = bodies_[contact_mesh_.mesh_nodes[loft[0]].value];
     volume.element = element;
     if (!may_be_near(volume.body)) continue;
     for (std::size_t k = 0; k < n; ++k) {

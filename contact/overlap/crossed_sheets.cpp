@@ -108,7 +108,7 @@ std::vector<SheetCrossing> find_crossed_sheets(const ContactMesh& contact_mesh, 
     const SurfaceNode& node = contact_mesh.surface_nodes[row];
     for (const std::uint32_t i : found.of(row)) {
       const auto pair = rules.find(node.surface, contact_mesh.faces[sheets[i]].surface);
-      crossings.emplace(*pair, NodeIndex{contact_mesh.mesh_nodes[node.node]});
+      crossings.emplace(*pair, contact_mesh.mesh_nodes[node.node]);
     }
   }
   std::vector<SheetCrossing> listed;

@@ -185,7 +185,7 @@ std::vector<DeepOverlap> DeepOverlaps::find(const Eigen::Matrix3Xd& coordinates,
   const auto faces_of_body =
       list_by_row<std::uint32_t, FaceIndex>(volumes_.thick_bodies().size(), [&](const auto& take) {
         for (const FaceIndex i : indices(contact_mesh().faces)) {
-          const std::uint32_t node = contact_mesh().mesh_nodes[contact_mesh().faces[i].corners[0]];
+          const std::uint32_t node = contact_mesh().mesh_nodes[contact_mesh().faces[i].corners[0]].value;
           if (const auto number = volumes_.number_of_body(node)) take(*number, i);
         }
       });
@@ -197,7 +197,7 @@ std::vector<DeepOverlap> DeepOverlaps::find(const Eigen::Matrix3Xd& coordinates,
   const auto is_of_loft = [&](const std::optional<DeepOverlap>& way) {
     return way && contact_mesh().is_lofted(contact_mesh().faces[way->face]);
   };
-  std::map<std::pair<std::uint32_t, std::uint32_t>, double> least;
+  std::map<std::pair<NodeIndex, std::uint32_t>, double> least;
   const auto key = [&](std::size_t i) {
     return std::pair(contact_mesh().mesh_nodes[contact_mesh().surface_nodes[inside[i].row].node],
                      inside[i].body);

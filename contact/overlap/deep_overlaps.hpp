@@ -66,7 +66,7 @@ class DeepOverlaps {
   bool is_facing(const ContactKinematics& kinematics, const SurfaceNode& node,
                  const Eigen::Vector3d& normal) const;
   std::uint32_t body_of_row(SurfaceNodeIndex row) const {
-    return bodies()[contact_mesh().mesh_nodes[contact_mesh().surface_nodes[row].node]];
+    return bodies()[contact_mesh().mesh_nodes[contact_mesh().surface_nodes[row].node].value];
   }
   const ContactMesh& contact_mesh() const { return parts_.contact_mesh; }
 

@@ -27,8 +27,8 @@ Eigen::Vector3d mean(std::span<const Eigen::Vector3d> points) {
 IndexedVector<ContactNodeIndex, Eigen::Vector3d> places_of(const ContactMoment& moment) {
   IndexedVector<ContactNodeIndex, Eigen::Vector3d> places;
   places.reserve(moment.kinematics.contact_mesh().n_nodes());
-  for (const std::uint32_t node : moment.kinematics.contact_mesh().mesh_nodes)
-    places.emplace_back(moment.coordinates.col(node));
+  for (const NodeIndex node : moment.kinematics.contact_mesh().mesh_nodes)
+    places.emplace_back(moment.coordinates.col(node.value));
   return places;
 }
 
@@ -95,7 +95,7 @@ void InterpenetrationWatch::find_deep(const ContactMoment& moment) {
                  other = parts.of_face[overlap.face].half_thickness;
     const double thickness = 2.0 * (own > 0.0 ? std::min(own, other) : other);
     found.share = thickness > 0.0 ? overlap.depth / thickness : 0.0;
-    found.node = parts.contact_mesh.mesh_nodes[parts.contact_mesh.surface_nodes[overlap.row].node];
+    found.node = parts.contact_mesh.mesh_nodes[parts.contact_mesh.surface_nodes[overlap.row].node].value;
   }
   for (const PairIndex i : indices(of_pair_)) {
     Interpenetration& known = of_pair_[i];

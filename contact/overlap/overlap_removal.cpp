@@ -104,7 +104,7 @@ bool OverlapRemover::may_go(PairIndex index, const Overlap& overlap) const {
   const ContactNodeIndex node = overlap.first.nodes[0];
   if (pair.adjusted_node_set) {
     const auto& nodes = mesh_.node_sets()[*pair.adjusted_node_set].nodes;
-    return std::ranges::find(nodes, NodeIndex{parts_.contact_mesh.mesh_nodes[node]}) != nodes.end();
+    return std::ranges::find(nodes, parts_.contact_mesh.mesh_nodes[node]) != nodes.end();
   }
   return !pair.side_b || parts_.contact_mesh.find_row(node, *pair.side_b).has_value();
 }

@@ -124,7 +124,7 @@ bool OverlapSearch::may_meet(SurfaceNodeIndex row, FaceIndex index) const {
   const SurfacePair& of = *rules_[*pair].pair;
   if (!takes_part(of, node, contact_mesh, mesh_) || !takes_part(of, face, contact_mesh, mesh_)) return false;
   const auto own = mesh_.element_nodes(face.side.element());
-  return std::ranges::find(own, NodeIndex{contact_mesh.mesh_nodes[node.node]}) == own.end();
+  return std::ranges::find(own, contact_mesh.mesh_nodes[node.node]) == own.end();
 }
 
 void OverlapSearch::add_faces(const ContactKinematics& kinematics, bool is_of_lofts_only) {

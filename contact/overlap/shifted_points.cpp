@@ -9,7 +9,7 @@ ShiftedPoints::ShiftedPoints(const ContactMesh& contact_mesh, const Mesh& mesh)
 }
 
 Eigen::Vector3d ShiftedPoints::at(ContactNodeIndex point) const {
-  const Eigen::Vector3d node = coordinates_.col(contact_mesh_.mesh_nodes[point]);
+  const Eigen::Vector3d node = coordinates_.col(contact_mesh_.mesh_nodes[point].value);
   const std::size_t first = contact_mesh_.n_mesh_points();
   if (point.value < first) return node;
   return node + renewed_.offsets().col(static_cast<Eigen::Index>(point.value - first));

@@ -23,7 +23,7 @@ class ShiftedPoints {
 
   /// Moves the mesh node of a contact node.
   void shift(ContactNodeIndex point, const Eigen::Vector3d& step) {
-    coordinates_.col(contact_mesh_.mesh_nodes[point]) += step;
+    coordinates_.col(contact_mesh_.mesh_nodes[point].value) += step;
   }
   void shift(NodeIndex node, const Eigen::Vector3d& step) { coordinates_.col(node.value) += step; }
   /// Stands the lofts off along the shells' normals as they are now.

@@ -18,7 +18,7 @@ constexpr double held_share = 0.3;
 }  // namespace
 
 bool SideMover::is_held(ContactNodeIndex point) const {
-  return !is_held_.empty() && is_held_[contact_mesh_.mesh_nodes[point]] == held_fully;
+  return !is_held_.empty() && is_held_[contact_mesh_.mesh_nodes[point].value] == held_fully;
 }
 
 bool SideMover::can_move(const ContactPointSide& side) const {
@@ -52,7 +52,7 @@ void SideMover::move(PairIndex pair, const ContactPointSide& side, const Eigen::
     if (weight == 0.0 || is_held(side.nodes[k])) continue;
     const Eigen::Vector3d step = weight / sum * way;
     points_.shift(side.nodes[k], step);
-    const std::uint32_t node = contact_mesh_.mesh_nodes[side.nodes[k]];
+    const std::uint32_t node = contact_mesh_.mesh_nodes[side.nodes[k]].value;
     moved_[pair].try_emplace(node, Eigen::Vector3d::Zero()).first->second += step;
   }
 }

@@ -16,7 +16,7 @@ namespace {
 NodeIndex main_node(const ContactMesh& contact_mesh, const ContactPointSide& side) {
   Eigen::Index k = 0;
   side.weights.maxCoeff(&k);
-  return {contact_mesh.mesh_nodes[side.nodes[static_cast<std::size_t>(k)]]};
+  return contact_mesh.mesh_nodes[side.nodes[static_cast<std::size_t>(k)]];
 }
 
 /// Gathers the overlaps of one pair.
@@ -43,8 +43,8 @@ class PairGatherer {
     if (overlap.is_deep && is_new) ++found_.n_deep;
     if (overlap.depth <= found_.deepest) return;
     found_.deepest = overlap.depth;
-    found_.node = {faces_.mesh_nodes[node.node]};
-    found_.other = NodeIndex{faces_.mesh_nodes[corners[0]]};
+    found_.node = faces_.mesh_nodes[node.node];
+    found_.other = faces_.mesh_nodes[corners[0]];
     found_.size = size_of(corners);
   }
   std::optional<StartOverlap> take(PairIndex pair) {
@@ -70,7 +70,7 @@ class PairGatherer {
   const ContactMesh& faces_;
   const ContactKinematics& surface_;
   StartOverlap found_;
-  std::set<std::uint32_t> nodes_;
+  std::set<NodeIndex> nodes_;
   std::set<std::array<ContactNodeIndex, 4>> sides_;
 };
 

@@ -58,7 +58,7 @@ class UntiedGatherer {
   UntiedParts parts_;
   IndexedVector<PairIndex, std::map<FaceIndex, Held>> held_faces_;
   IndexedVector<PairIndex, std::map<SurfaceNodeIndex, Held>> held_rows_;
-  IndexedVector<PairIndex, std::map<std::uint32_t, bool>> nodes_;  // by mesh node: it is held
+  IndexedVector<PairIndex, std::map<NodeIndex, bool>> nodes_;  // of the mesh: it is held
 };
 
 SurfaceIndex UntiedGatherer::smaller(const SurfacePair& pair) const {
@@ -136,7 +136,7 @@ UntiedParts UntiedGatherer::take() {
     for (const auto& [face, held] : held_faces_[i]) add(held, start_.area(contact_mesh_.faces[face]).norm());
     for (const auto& [row, held] : held_rows_[i]) add(held, held.before);
     for (const auto& [node, is_held] : nodes_[i]) {
-      if (!is_held) parts_[i].nodes.push_back({node});
+      if (!is_held) parts_[i].nodes.push_back(node);
     }
   }
   return std::move(parts_);

@@ -85,7 +85,7 @@ bool CandidateFilter::is_smoothed(const ContactEdge& edge, PairIndex pair) const
 
 OptionalIndex<std::uint32_t> CandidateFilter::rigid_body_of(std::span<const ContactNodeIndex> nodes) const {
   if (body_of_.empty()) return {};
-  const auto body = [&](ContactNodeIndex node) { return body_of_[contact_mesh_.mesh_nodes[node]]; };
+  const auto body = [&](ContactNodeIndex node) { return body_of_[contact_mesh_.mesh_nodes[node].value]; };
   const OptionalIndex<std::uint32_t> first = body(nodes[0]);
   const bool is_one = std::ranges::all_of(nodes, [&](ContactNodeIndex node) { return body(node) == first; });
   return is_one ? first : OptionalIndex<std::uint32_t>();
@@ -101,7 +101,7 @@ bool CandidateFilter::are_skins_of_one(ElementSide first, ContactNodeIndex first
 
 bool CandidateFilter::has_element_of(ContactNodeIndex node, const ContactFace& face) const {
   const auto nodes = mesh_.element_nodes(face.side.element());
-  return std::find(nodes.begin(), nodes.end(), NodeIndex{contact_mesh_.mesh_nodes[node]}) != nodes.end();
+  return std::find(nodes.begin(), nodes.end(), contact_mesh_.mesh_nodes[node]) != nodes.end();
 }
 
 }  // namespace contactsim

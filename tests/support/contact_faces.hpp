@@ -20,7 +20,7 @@ inline FaceIndex face_of(const ContactParts& parts, std::uint32_t element, const
 /// The surface node of a node of the mesh.
 inline SurfaceNodeIndex row_of_node(const ContactParts& parts, std::uint32_t mesh_node) {
   for (const SurfaceNodeIndex i : indices(parts.contact_mesh.surface_nodes)) {
-    if (parts.contact_mesh.mesh_nodes[parts.contact_mesh.surface_nodes[i].node] == mesh_node) return i;
+    if (parts.contact_mesh.mesh_nodes[parts.contact_mesh.surface_nodes[i].node].value == mesh_node) return i;
   }
   throw std::logic_error("there is no such node");
 }

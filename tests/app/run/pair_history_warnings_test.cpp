@@ -41,7 +41,7 @@ TEST_CASE("sides deeper in each other than a tenth of the thickness are told", "
 TEST_CASE("contact that ended deep is told with its first place", "[app][contact]") {
   PairHistory history;
   history.n_lost = 2;
-  history.lost_node = 4;
+  history.lost_node = {4};
   history.lost_time = 0.25;
   history.lost_depth = 0.125;
   CHECK(
@@ -55,9 +55,9 @@ TEST_CASE("pairs of infinitesimal sliding that have left their faces are told", 
   history.slid_share = 0.5;
   CHECK(said_by(warn_of_small_sliding, history).empty());
   history.slid_share = 0.75;
-  history.slid_node = 6;
+  history.slid_node = {6};
   history.n_released = 1;
-  history.released_node = 7;
+  history.released_node = {7};
   const std::string said = said_by(warn_of_small_sliding, history);
   CHECK(said.find("have slid off their faces of the start, at node 7 by 0.75 of a face") !=
         std::string::npos);

@@ -169,7 +169,7 @@ TEST_CASE("points of lofts turn with the mid surface around their node", "[conta
   const ContactSprings springs(model, parts.kinematics, parts.rules);
   ContactPoint point;
   std::uint32_t above = static_cast<std::uint32_t>(contact_mesh.n_mesh_points());
-  while (contact_mesh.mesh_nodes[{above}] != 4 || parts.kinematics.x({above}).z() < 0.0) ++above;
+  while (contact_mesh.mesh_nodes[{above}] != NodeIndex{4} || parts.kinematics.x({above}).z() < 0.0) ++above;
   point.first.nodes.fill({above});
   point.first.weights = Eigen::Vector4d::UnitX();
   point.normal = Vector3d::UnitX();

@@ -265,7 +265,7 @@ TEST_CASE("areas that turn a node of a loft lean on the nodes around", "[contact
   mobility.begin(model, {}, parts.kinematics, state);
   std::vector<CarrierTerm> terms;
   auto point = static_cast<std::uint32_t>(contact_mesh.n_mesh_points());
-  while (contact_mesh.mesh_nodes[{point}] != 4) ++point;  // above or below the middle node
+  while (contact_mesh.mesh_nodes[{point}] != NodeIndex{4}) ++point;  // above or below the middle node
   mobility.add_terms({point}, 1.0, Vector3d::Zero(), terms);
   REQUIRE(mobility.n_carriers() == 9);
   const std::uint32_t carrier = terms[0].carrier;
@@ -274,13 +274,13 @@ TEST_CASE("areas that turn a node of a loft lean on the nodes around", "[contact
   LeaningAreas areas(9, {0.0, 0.0});
   areas[carrier] = {2.0, 0.3};
   mobility.spread_areas(areas);
-  const std::size_t spin = *parts.kinematics.spins().find(4);
+  const std::size_t spin = *parts.kinematics.spins().find({4});
   const auto around = parts.kinematics.spins().neighbours(spin);
   double turns = 0.0;
   for (std::size_t k = 0; k < around.size(); ++k) {
     const double bound = parts.kinematics.spins().bound(spin, k);
     std::uint32_t other = 0;
-    while (mobility.mesh_nodes()[other] != around[k]) ++other;
+    while (mobility.mesh_nodes()[other] != around[k].value) ++other;
     CHECK(areas[other][0] == Approx(0.3 * bound));
     turns += bound * (step_size / 1.5) * areas[other][0];
   }

@@ -29,7 +29,7 @@ struct PushedPlate {
     parts.move();
   }
   /// The contact node above a node of the mesh.
-  ContactNodeIndex above(std::uint32_t mesh_node) const {
+  ContactNodeIndex above(NodeIndex mesh_node) const {
     for (auto i = static_cast<std::uint32_t>(contact_mesh.n_mesh_points()); i < contact_mesh.n_nodes(); ++i) {
       if (contact_mesh.mesh_nodes[{i}] == mesh_node && parts.kinematics.x({i}).z() > 0.0) return {i};
     }
@@ -38,7 +38,7 @@ struct PushedPlate {
   void push(ContactNodeIndex node, const Vector3d& force) {
     sums.begin_step();
     sums.add_node(node, force, Vector3d::Zero());
-    forces.col(contact_mesh.mesh_nodes[node]) = force;
+    forces.col(contact_mesh.mesh_nodes[node].value) = force;
   }
   void find() {
     OffsetMoments offsets(contact_mesh, parts.kinematics, sums);
@@ -58,7 +58,7 @@ struct PushedPlate {
 TEST_CASE("a force on a loft turns the node that it hangs on where nothing else does",
           "[contact][offset_moments]") {
   PushedPlate plate;
-  plate.push(plate.above(4), {3, 0, 5});
+  plate.push(plate.above({4}), {3, 0, 5});
   plate.find();
   CHECK(plate.moments.col(4).isApprox(Vector3d(0, 0, 0.1).cross(Vector3d(3, 0, 5))));
   plate.moments.col(4).setZero();
@@ -71,7 +71,7 @@ TEST_CASE("a moment on a mid surface goes to the nodes around as forces without 
   PushedPlate plate;
   plate.turn_with_mid_surface();
   const std::uint32_t node = GENERATE(0, 1, 4);  // a corner, an edge, the middle
-  const ContactNodeIndex point = plate.above(node);
+  const ContactNodeIndex point = plate.above({node});
   const Vector3d force(3, -2, 5);
   plate.push(point, force);
   plate.find();
@@ -87,9 +87,9 @@ TEST_CASE("moments of spheres turn their nodes, those of nodes that do not turn 
   plate.sums.begin_step();
   plate.sums.add_node({0}, Vector3d::Zero(), {1, 2, 3});
   plate.model.inertia.col(4).setZero();
-  plate.sums.add_node(plate.above(4), {3, 0, 5}, {1, 1, 1});
+  plate.sums.add_node(plate.above({4}), {3, 0, 5}, {1, 1, 1});
   plate.find();
-  const std::uint32_t node = plate.contact_mesh.mesh_nodes[{0}];
+  const std::uint32_t node = plate.contact_mesh.mesh_nodes[{0}].value;
   CHECK(plate.moments.col(node) == Vector3d(1, 2, 3));
   plate.moments.col(node).setZero();
   CHECK(plate.moments.isZero(0.0));

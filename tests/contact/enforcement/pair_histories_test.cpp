@@ -94,7 +94,7 @@ TEST_CASE("the first of the contacts that ended deep is named, of pairs that are
   for (const double time : {2.0, 3.0})
     pair.histories.add_lost(lost, pair.cubes.parts.rules, pair.cubes.parts.contact_mesh, time);
   CHECK(pair.history().n_lost == 4);
-  CHECK(pair.history().lost_node == 9);
+  CHECK(pair.history().lost_node == NodeIndex{9});
   CHECK(pair.history().lost_time == 2.0);
   CHECK(pair.history().lost_depth == 0.3);
 }
@@ -115,10 +115,10 @@ TEST_CASE("how far something is beyond its face of the start is the largest so f
   CHECK(pair.history().slid_share == 0.0);
   note(inside, {1.25, -0.25, 0, 0}, 1.0);
   CHECK(pair.history().slid_share == 0.25);
-  CHECK(pair.history().slid_node == 8);
+  CHECK(pair.history().slid_node == NodeIndex{8});
   note({0, -0.5, 0.5, 1.0}, inside, 1.0);
   CHECK(pair.history().slid_share == 0.5);
-  CHECK(pair.history().slid_node == 4);
+  CHECK(pair.history().slid_node == NodeIndex{4});
   note(inside, {1.25, -0.25, 0, 0}, 1.0);
   CHECK(pair.history().slid_share == 0.5);
 }
@@ -219,7 +219,7 @@ TEST_CASE("histories of pairs go on from a stored state", "[contact][pair_histor
   CHECK(other.history().work == pair.history().work);
   CHECK(other.history().impulse == pair.history().impulse);
   CHECK(other.history().contact_time == 0.75);
-  CHECK(other.history().lost_node == 9);
+  CHECK(other.history().lost_node == NodeIndex{9});
   CHECK(other.history().lost_time == 1.0);
   CHECK(other.histories.min_energy()[{0}] == pair.histories.min_energy()[{0}]);
 }

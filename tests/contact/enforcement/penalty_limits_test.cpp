@@ -14,8 +14,8 @@ TEST_CASE("light nodes lower the stiffness alike in the middle and at the edges 
   test::MeshBuilder b;
   b.add_hexes({.id = 1, .cells = {2, 2, 1}, .size = {2, 2, 3}});
   test::ContactParts parts(b, test::general_contact());
-  for (const std::uint32_t node : parts.contact_mesh.mesh_nodes) {
-    const Eigen::Vector3d x = parts.x.col(node);
+  for (const NodeIndex node : parts.contact_mesh.mesh_nodes) {
+    const Eigen::Vector3d x = parts.x.col(node.value);
     parts.contact_mesh.mass.push_back(0.375 * (x[0] == 1.0 ? 2.0 : 1.0) * (x[1] == 1.0 ? 2.0 : 1.0));
   }
   for (ContactFace& face : parts.contact_mesh.faces) face.penalty_properties.stiffness = 1e9;
@@ -31,7 +31,7 @@ TEST_CASE("light nodes lower the stiffness alike in the middle and at the edges 
           Approx(4.0 * penalty_share * (is_side ? 0.5 : 1.5) * 100.0));
   }
   for (const SurfaceNode& node : parts.contact_mesh.surface_nodes) {
-    const Eigen::Vector3d x = parts.x.col(parts.contact_mesh.mesh_nodes[node.node]);
+    const Eigen::Vector3d x = parts.x.col(parts.contact_mesh.mesh_nodes[node.node].value);
     const bool is_inner = x[0] == 1.0 && x[1] == 1.0;
     CHECK(node.penalty_properties.stiffness == Approx(4.0 * penalty_share * (is_inner ? 1.5 : 0.5) * 100.0));
   }

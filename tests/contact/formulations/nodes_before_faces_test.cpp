@@ -25,7 +25,7 @@ std::map<std::uint32_t, double> gaps_before_faces(ContactParts& parts) {
         CHECK(node.pair == PairIndex{0});
         CHECK(row.surface != parts.contact_mesh.faces[node.face].surface);
         CHECK(told.emplace(std::pair(node.row, node.face), node.gap).first->second == node.gap);
-        double& gap = gaps.emplace(parts.contact_mesh.mesh_nodes[row.node], node.gap).first->second;
+        double& gap = gaps.emplace(parts.contact_mesh.mesh_nodes[row.node].value, node.gap).first->second;
         if (std::abs(node.gap) < std::abs(gap)) gap = node.gap;
       });
   return gaps;

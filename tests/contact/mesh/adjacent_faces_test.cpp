@@ -114,7 +114,7 @@ TEST_CASE("nodes and edges of lofts are adjacent as faces are", "[contact][adjac
   const ContactParts parts(folded_strip(), to_itself);
   const AdjacentFaces adjacent(parts.contact_mesh, parts.mesh);
   for (const SurfaceNode& node : parts.contact_mesh.surface_nodes) {
-    const Vector3d x = parts.mesh.coordinates().col(parts.contact_mesh.mesh_nodes[node.node]);
+    const Vector3d x = parts.mesh.coordinates().col(parts.contact_mesh.mesh_nodes[node.node].value);
     // Of a node on the strip from the element up along z from 0.3 to 0.4; points of joints stand on the fold.
     const double distance = std::hypot(x.x(), std::max({0.0, 0.3 - x.z(), x.z() - 0.4}));
     const double offset = (parts.kinematics.x(node.node) - x).norm() + 0.5 * thick;

@@ -85,7 +85,7 @@ TEST_CASE("a face is handed out with its corners as they move", "[contact][conta
     const MovingFace face = parts.kinematics.face(f);
     const ContactFace& of = parts.contact_mesh.faces[f];
     for (std::size_t k = 0; k < 4; ++k) {
-      const auto node = static_cast<Eigen::Index>(parts.contact_mesh.mesh_nodes[of.corners[k]]);
+      const auto node = static_cast<Eigen::Index>(parts.contact_mesh.mesh_nodes[of.corners[k]].value);
       CHECK(face.x.col(static_cast<int>(k)) == parts.x.col(node));
       CHECK(face.v.col(static_cast<int>(k)) == parts.v.col(node));
     }

@@ -21,7 +21,7 @@ TEST_CASE("contact numbers the nodes of its surfaces alone, in the order of the 
   CHECK(contact_mesh.first_face == std::vector<FaceIndex>{{0}, {9}, {10}, {10}});
   for (const ContactFace& face : contact_mesh.faces) {
     const auto nodes = parts.mesh.side_nodes(face.side);
-    for (std::size_t k = 0; k < 4; ++k) CHECK(contact_mesh.mesh_nodes[face.corners[k]] == nodes[k].value);
+    for (std::size_t k = 0; k < 4; ++k) CHECK(contact_mesh.mesh_nodes[face.corners[k]] == nodes[k]);
     CHECK(face.is_triangle() == (face.surface == SurfaceIndex{1}));
   }
   CHECK(contact_mesh.first_node == std::vector<SurfaceNodeIndex>{{0}, {16}, {19}, {28}});
@@ -47,7 +47,7 @@ TEST_CASE("a six-node face is one row of ownership and four facets of contact, w
   for (const SurfaceNode& node : contact_mesh.surface_nodes) total += node.area;
   CHECK(total == Approx(1.0));
   for (const SurfaceNode& node : contact_mesh.surface_nodes) {
-    const Eigen::Vector3d x = parts.mesh.coordinates().col(contact_mesh.mesh_nodes[node.node]);
+    const Eigen::Vector3d x = parts.mesh.coordinates().col(contact_mesh.mesh_nodes[node.node].value);
     const bool is_corner = x.x() != 0.5 && x.y() != 0.5, is_between = x.x() == 0.5 && x.y() == 0.5;
     const auto n_facets = static_cast<double>(contact_mesh.faces_of_node.of(node.node).size());
     CHECK(node.area == Approx(n_facets / 24.0));  // facets of 1/8, a third of each

@@ -34,14 +34,14 @@ TEST_CASE("nodes have the directions that conditions leave free, others none", "
       KinematicConstraints(cube.mesh, {held({{2}, {5}}, Components{{false, true, false}}, 10.0),
                                        held({{5}}, Components{{false, false, true}}, 10.0)});
   ModelFreeDirections free;
-  CHECK(free.of_node(2) == nullptr);  // before the first step nothing is known
+  CHECK(free.of_node(NodeIndex{2}) == nullptr);  // before the first step nothing is known
   CHECK(free.update(cube.model, 0.0));
-  REQUIRE(free.of_node(2) != nullptr);
-  CHECK((*free.of_node(2) - Matrix3d(Vector3d(1, 0, 1).asDiagonal())).norm() < 1e-14);
-  REQUIRE(free.of_node(5) != nullptr);
-  CHECK((*free.of_node(5) - Matrix3d(Vector3d(1, 0, 0).asDiagonal())).norm() < 1e-14);
-  for (const std::uint32_t node : {0u, 1u, 3u, 4u, 6u, 7u}) CHECK(free.of_node(node) == nullptr);
-  CHECK(free.of_turns(2) == nullptr);
+  REQUIRE(free.of_node(NodeIndex{2}) != nullptr);
+  CHECK((*free.of_node(NodeIndex{2}) - Matrix3d(Vector3d(1, 0, 1).asDiagonal())).norm() < 1e-14);
+  REQUIRE(free.of_node(NodeIndex{5}) != nullptr);
+  CHECK((*free.of_node(NodeIndex{5}) - Matrix3d(Vector3d(1, 0, 0).asDiagonal())).norm() < 1e-14);
+  for (const std::uint32_t node : {0u, 1u, 3u, 4u, 6u, 7u}) CHECK(free.of_node(NodeIndex{node}) == nullptr);
+  CHECK(free.of_turns(NodeIndex{2}) == nullptr);
   CHECK(free.of_body(2) == nullptr);
 }
 
@@ -57,7 +57,8 @@ TEST_CASE("a change is told where other conditions act than before, whichever th
                 : model.rigid.rotation_constraints) = constraints;
   ModelFreeDirections free;
   const auto found = [&] {
-    return std::array{free.of_node(1), free.of_turns(1), free.of_body(1), free.of_body_turns(1)};
+    return std::array{free.of_node(NodeIndex{1}), free.of_turns(NodeIndex{1}), free.of_body(1),
+                      free.of_body_turns(1)};
   };
   CHECK(free.update(model, 0.0));
   for (int i = 0; i < 4; ++i) CHECK((found()[static_cast<std::size_t>(i)] != nullptr) == (i == which));
@@ -76,5 +77,5 @@ TEST_CASE("a model without conditions leaves everything free and never changes",
   ModelFreeDirections free;
   CHECK_FALSE(free.update(cube.model, 0.0));
   CHECK_FALSE(free.update(cube.model, 1.0));
-  CHECK(free.of_node(0) == nullptr);
+  CHECK(free.of_node(NodeIndex{0}) == nullptr);
 }

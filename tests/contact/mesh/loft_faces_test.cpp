@@ -71,7 +71,7 @@ TEST_CASE("points of lofts on a node that a solid has are alike to it", "[contac
       CHECK(contact_mesh.first_alike[i] == i);
       continue;
     }
-    const bool is_of_solid = parts.mesh.coordinates()(0, contact_mesh.mesh_nodes[i]) == 1.0;
+    const bool is_of_solid = parts.mesh.coordinates()(0, contact_mesh.mesh_nodes[i].value) == 1.0;
     CHECK(contact_mesh.is_mesh_point(contact_mesh.first_alike[i]) == is_of_solid);
     n_of_solid += is_of_solid ? 1 : 0;
   }

@@ -24,8 +24,8 @@ struct Roof {
   Roof() { spins.update(parts.x); }
 
   Eigen::Vector3d spin(std::size_t i, const Eigen::Matrix3Xd& velocity) const {
-    return spins.spin(i, Eigen::Vector3d::Zero(), velocity.col(spins.node(i)),
-                      [&](std::size_t k) { return velocity.col(spins.neighbours(i)[k]); });
+    return spins.spin(i, Eigen::Vector3d::Zero(), velocity.col(spins.node(i).value),
+                      [&](std::size_t k) { return velocity.col(spins.neighbours(i)[k].value); });
   }
 
   ContactParts parts{roof(), general_contact()};
@@ -69,9 +69,9 @@ TEST_CASE("a moment on a lofted shell is forces around that do the same work", "
   for (std::size_t i = 0; i < roof.spins.size(); ++i) {
     Eigen::Matrix3Xd forces = Eigen::Matrix3Xd::Zero(3, roof.parts.x.cols());
     double largest = 0.0;
-    forces.col(roof.spins.node(i)) =
+    forces.col(roof.spins.node(i).value) =
         roof.spins.spread(i, moment, [&](std::size_t k, const Eigen::Vector3d& force) {
-          forces.col(roof.spins.neighbours(i)[k]) += force;
+          forces.col(roof.spins.neighbours(i)[k].value) += force;
           largest = std::max(largest, force.norm() / (roof.spins.bound(i, k) * moment.norm()));
         });
     CHECK(largest <= 1.0);
@@ -94,11 +94,11 @@ TEST_CASE("bending that turns every other node the other way does not tilt a lof
   for (Eigen::Index i = 0; i < velocity.cols(); ++i)
     velocity(2, i) = std::lround(parts.x(0, i) + parts.x(1, i)) % 2 == 0 ? 1.0 : -1.0;
   for (std::size_t i = 0; i < spins.size(); ++i) {
-    const Eigen::Vector3d x = parts.x.col(spins.node(i));
+    const Eigen::Vector3d x = parts.x.col(spins.node(i).value);
     if (x[0] == 0.0 || x[0] == 4.0 || x[1] == 0.0 || x[1] == 4.0) continue;
     CHECK(spins
-              .spin(i, Eigen::Vector3d(1, 2, 3), velocity.col(spins.node(i)),
-                    [&](std::size_t k) { return velocity.col(spins.neighbours(i)[k]); })
+              .spin(i, Eigen::Vector3d(1, 2, 3), velocity.col(spins.node(i).value),
+                    [&](std::size_t k) { return velocity.col(spins.neighbours(i)[k].value); })
               .norm() < 1e-12);
   }
 }
@@ -110,8 +110,8 @@ TEST_CASE("nodes of rigid bodies have no spin of their own", "[contact][loft_spi
   rigid.body_of[0] = 0;
   LoftSpins spins(parts.contact_mesh.loft, static_cast<std::size_t>(parts.x.cols()), rigid);
   CHECK(spins.size() == static_cast<std::size_t>(parts.x.cols()) - 1);
-  CHECK(!spins.find(0));
+  CHECK(!spins.find({0}));
   for (std::size_t i = 0; i < spins.size(); ++i) {
-    for (const std::uint32_t other : spins.neighbours(i)) CHECK(other != 0);
+    for (const NodeIndex other : spins.neighbours(i)) CHECK(other != NodeIndex{0});
   }
 }

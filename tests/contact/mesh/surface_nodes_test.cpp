@@ -17,7 +17,7 @@ namespace {
 
 /// Where a surface node is.
 Vector3d place_of(const ContactParts& parts, const ContactMesh& contact_mesh, const SurfaceNode& node) {
-  return parts.mesh.coordinates().col(contact_mesh.mesh_nodes[node.node]);
+  return parts.mesh.coordinates().col(contact_mesh.mesh_nodes[node.node].value);
 }
 
 }  // namespace
@@ -27,7 +27,7 @@ TEST_CASE("the nodes of a surface share its area", "[contact][contact_mesh]") {
   double total = 0.0;
   for (std::uint32_t i = 0; i < 16; ++i) {
     const SurfaceNode& node = parts.contact_mesh.surface_nodes[{i}];
-    const Eigen::Vector3d x = parts.mesh.coordinates().col(parts.contact_mesh.mesh_nodes[node.node]);
+    const Eigen::Vector3d x = parts.mesh.coordinates().col(parts.contact_mesh.mesh_nodes[node.node].value);
     const bool at_x = x.x() == 0.0 || x.x() == 3.0, at_y = x.y() == 0.0 || x.y() == 3.0;
     CHECK(node.area == Approx(at_x && at_y ? 0.25 : at_x || at_y ? 0.5 : 1.0));
     CHECK(node.penalty_properties.thickness == Approx(0.5));
@@ -43,7 +43,7 @@ TEST_CASE("a node of a set that has no face all in the set takes its share of al
   const ContactParts parts(plate_and_tet(), general_contact("", plate_and_tet_surfaces));
   // Faces at x = 0 are all in the set; the tip of the tetrahedron is a corner of three of its faces.
   const SurfaceNode& tip = parts.contact_mesh.surface_nodes.back();
-  CHECK(parts.mesh.coordinates()(2, parts.contact_mesh.mesh_nodes[tip.node]) == 3.0);
+  CHECK(parts.mesh.coordinates()(2, parts.contact_mesh.mesh_nodes[tip.node].value) == 3.0);
   CHECK(tip.area == Approx((1.5 + 1.5 + 0.5 * std::sqrt(19.0)) / 3.0));
   double at_side = 0.0;
   for (std::uint32_t i = 19; i < 27; ++i) at_side += parts.contact_mesh.surface_nodes[{i}].area;
@@ -68,7 +68,7 @@ TEST_CASE("the thickness behind a node is the mean of its faces by area", "[cont
     CHECK(node.area == Approx(top + end));
     CHECK(node.penalty_properties.thickness == Approx((2.0 * top + 3.0 * end) / (top + end)));
     const auto sides = parts.mesh.side_nodes(node.side);
-    CHECK(std::ranges::count(sides, NodeIndex{contact_mesh.mesh_nodes[node.node]}) == 1);
+    CHECK(std::ranges::count(sides, contact_mesh.mesh_nodes[node.node]) == 1);
   }
 }
 
@@ -90,7 +90,7 @@ TEST_CASE("a set inside of a solid, or of lines, has nodes that stand for their 
     CHECK(node.area == 0.0);
     CHECK(std::isnan(node.penalty_properties.thickness));
     const auto nodes = parts.mesh.element_nodes(node.side.element());
-    CHECK(std::ranges::count(nodes, NodeIndex{parts.contact_mesh.mesh_nodes[node.node]}) == 1);
+    CHECK(std::ranges::count(nodes, parts.contact_mesh.mesh_nodes[node.node]) == 1);
   }
   // The first of the elements that have a node.
   CHECK(parts.contact_mesh.surface_nodes[*rows.begin()].side.element() == ElementIndex{0});
@@ -102,7 +102,7 @@ TEST_CASE("free nodes stand among the others, for their share of a face of a dea
   const ContactParts parts(b, general_contact("", plate_and_tet_surfaces));
   // The tetrahedron has died: the top and the tip of a plate's corner are of the surfaces a and n.
   const ElementSide floor = parts.contact_mesh.faces[{9}].side, top = parts.contact_mesh.faces[{0}].side;
-  const NodeIndex corner{parts.contact_mesh.mesh_nodes[parts.contact_mesh.faces[{9}].corners[0]]};
+  const NodeIndex corner = parts.contact_mesh.mesh_nodes[parts.contact_mesh.faces[{9}].corners[0]];
   const std::vector<ErodedNode> eroded{{corner, {0}, floor}, {corner, {2}, top}};
   const ContactMesh contact_mesh = make_contact_mesh(parts.model, parts.mesh, eroded);
   REQUIRE(contact_mesh.surface_nodes.size() == parts.contact_mesh.surface_nodes.size() + 2);
@@ -137,5 +137,5 @@ TEST_CASE("contact numbers are those of the mesh's nodes that are in contact", "
   const ContactNumbers numbers(parts.mesh, parts.contact_mesh);
   CHECK(numbers.n_nodes() == parts.contact_mesh.n_nodes());
   for (const ContactNodeIndex i : parts.contact_mesh.nodes())
-    CHECK(numbers[NodeIndex{parts.contact_mesh.mesh_nodes[i]}] == i);
+    CHECK(numbers[parts.contact_mesh.mesh_nodes[i]] == i);
 }

@@ -38,7 +38,7 @@ TEST_CASE("a node on two surfaces stands once for each, with the faces of each a
   const ContactMesh& contact_mesh = boxes.parts.contact_mesh;
   std::size_t n_shared = 0;
   for (const SurfaceNodeIndex i : indices(contact_mesh.surface_nodes)) {
-    const std::uint32_t node = contact_mesh.mesh_nodes[contact_mesh.surface_nodes[i].node];
+    const std::uint32_t node = contact_mesh.mesh_nodes[contact_mesh.surface_nodes[i].node].value;
     if (boxes.mesh.coordinates()(0, node) != 1.0) continue;
     ++n_shared;
     // Two outer faces each; the wall between the blocks is no face.

@@ -18,7 +18,7 @@ std::set<std::pair<std::uint32_t, std::uint32_t>> nodes_and_elements(
   std::set<std::pair<std::uint32_t, std::uint32_t>> found;
   const ContactMesh& contact_mesh = bodies.parts.contact_mesh;
   for (const NodeFaceCandidate& candidate : candidates) {
-    found.emplace(contact_mesh.mesh_nodes[contact_mesh.surface_nodes[candidate.entity].node],
+    found.emplace(contact_mesh.mesh_nodes[contact_mesh.surface_nodes[candidate.entity].node].value,
                   contact_mesh.faces[candidate.partner].side.element().value);
   }
   return found;

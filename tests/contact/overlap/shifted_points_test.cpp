@@ -15,7 +15,7 @@ ContactNodeIndex loft_point(const test::OverlappingBodies& bodies, std::uint32_t
   const ContactMesh& contact_mesh = bodies.parts.contact_mesh;
   for (const ContactNodeIndex i : contact_mesh.nodes()) {
     const double offset = bodies.points.at(i).z() - bodies.mesh.coordinates()(2, mesh_node);
-    if (contact_mesh.mesh_nodes[i] == mesh_node && offset * up > 0.0) return i;
+    if (contact_mesh.mesh_nodes[i].value == mesh_node && offset * up > 0.0) return i;
   }
   return {};
 }

@@ -47,8 +47,10 @@ TEST_CASE("faces of one element do not meet, of one surface either", "[contact][
 
 TEST_CASE("faces have to face each other where nothing but sliding can hold them",
           "[contact][candidate_filter]") {
+  const std::string rough =
+      "friction model = rough\nend\nbegin constant friction model rough\nfriction coefficient = 0.3\n";
   CHECK(FilteredCubes().filter.has_to_face({0}));
-  CHECK(FilteredCubes("friction coefficient = 0.3\n").filter.has_to_face({0}));
+  CHECK(FilteredCubes(rough).filter.has_to_face({0}));
   CHECK_FALSE(FilteredCubes("friction model = tied\n").filter.has_to_face({0}));
   CHECK_FALSE(FilteredCubes("interaction behavior = infinitesimal_sliding\n").filter.has_to_face({0}));
   // A single search has to find what comes to face something later.

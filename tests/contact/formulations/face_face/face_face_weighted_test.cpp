@@ -173,7 +173,7 @@ TEST_CASE("what a node's motion opens is the derivative of the weighted gaps",
   for (const auto& motion : motions) {
     const SurfaceNodeIndex row = parts.gaps.nodes()[motion.number].row;
     const double before = gap_of(row);
-    const std::uint32_t mesh_node = parts.contact_mesh.mesh_nodes[motion.node];
+    const std::uint32_t mesh_node = parts.contact_mesh.mesh_nodes[motion.node].value;
     const bool is_of_cube = parts.x(2, mesh_node) < 1.0 - 5e-7;
     const double inward = is_of_cube ? -small : small;
     parts.x(2, mesh_node) += inward;

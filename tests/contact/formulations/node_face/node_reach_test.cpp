@@ -45,7 +45,7 @@ struct CubeOverSlab : ContactParts {
   SurfaceNodeIndex row() const {
     const auto node = static_cast<std::uint32_t>(x.cols() - 8);
     for (const SurfaceNodeIndex i : indices(contact_mesh.surface_nodes)) {
-      if (contact_mesh.mesh_nodes[contact_mesh.surface_nodes[i].node] == node) return i;
+      if (contact_mesh.mesh_nodes[contact_mesh.surface_nodes[i].node].value == node) return i;
     }
     FAIL("the node has no row");
     return {};

@@ -94,7 +94,7 @@ TEST_CASE("nodes of a node set and particles are tied to the face that they touc
   const auto ties = make_ties(parts.context(), parts.face_partners, parts.node_faces, 0.15);
   REQUIRE(ties.size() == 1);
   CHECK(ties[0].is_node);
-  CHECK(parts.x.col(parts.contact_mesh.mesh_nodes[ties[0].nodes[0]]).y() == 0.25);
+  CHECK(parts.x.col(parts.contact_mesh.mesh_nodes[ties[0].nodes[0]].value).y() == 0.25);
   CHECK(ties[0].share == 1.0);
 }
 
