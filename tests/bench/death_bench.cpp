@@ -66,11 +66,11 @@ void mass_death(benchmark::State& bench) {
   const Model model = make_model(mesh);
   const Region region = make_region();
   const SimulationDefinition definition;
-  Diagnostics told;
-  ContactModel contact = make_contact_model(definition, region, mesh, told);
+  Diagnostics reported;
+  ContactModel contact = make_contact_model(definition, region, mesh, reported);
   const NodeElements elements(mesh);
   const FaceGroups faces(mesh, elements);
-  OwnershipRules rules(find_surface_requests(definition, region, mesh, told), mesh,
+  OwnershipRules rules(find_surface_requests(definition, region, mesh, reported), mesh,
                        region.contact->subdomain);
   SurfaceTracker living(std::move(rules), faces);
   ErodedNodes eroded_nodes(faces, std::vector<std::uint8_t>(mesh.n_elements(), 0));

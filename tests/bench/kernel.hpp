@@ -13,7 +13,7 @@ namespace contactsim::bench {
 
 /// Work of the program that can be done again and again.
 struct Kernel {
-  double n_items = 0.0;           ///< elements, nodes or faces that it is told for
+  double n_items = 0.0;           ///< elements, nodes or faces that it is reported for
   double n_bytes = 0.0;           ///< what a step has to move between memory and processor, see below [bytes]
   std::function<void()> prepare;  ///< before each step, not timed; may be empty
   std::function<void()> step;

@@ -123,7 +123,7 @@ TEST_CASE("a deck file that is not there is a file error", "[parser][deck]") {
   CHECK_THROWS_AS(parse_deck("no/such/deck.i", {}, diagnostics), FileError);
 }
 
-TEST_CASE("all problems of a deck are told in one run, in the order of its lines", "[parser][deck]") {
+TEST_CASE("all problems of a deck are reported in one run, in the order of its lines", "[parser][deck]") {
   CHECK(
       parsed_sierra("begin material steel\n"
                     "  densty = 1\n"
@@ -173,7 +173,7 @@ TEST_CASE("a deck of another program is refused also where the user is lenient",
         std::string::npos);
 }
 
-TEST_CASE("a BEGIN without a type is told of once, where it stands", "[parser][deck]") {
+TEST_CASE("a BEGIN without a type is reported once, where it stands", "[parser][deck]") {
   CHECK(parsed("begin\nend\n").messages == "a.i:1:1: error: BEGIN needs the type of a block\n");
   CHECK(parsed_sierra("begin # function\nend\n").messages ==
         "a.i:2:1: error: BEGIN needs the type of a block\n");

@@ -57,7 +57,7 @@ TEST_CASE("underscores and BEGIN do not matter to a question", "[parser][explain
   CHECK(explained({"parameters for model elastic plastic"}).find("YIELD STRESS") != std::string::npos);
 }
 
-TEST_CASE("what a command names, needs and stands for is told", "[parser][explain]") {
+TEST_CASE("what a command names, needs and stands for is reported", "[parser][explain]") {
   CHECK(holds_line(explained({"start", "time"}), "  default    required"));
   CHECK(holds_line(explained({"failure", "function"}), "  names      a function"));
   CHECK(holds_line(explained({"include", "nodes", "in"}), "  names      a node set of the mesh"));

@@ -102,7 +102,7 @@ bool holds(const std::string& text, const std::string& part) { return text.find(
 
 }  // namespace
 
-TEST_CASE("every required row that is missing is told of by its name", "[parser][rows]") {
+TEST_CASE("every required row that is missing is reported by its name", "[parser][rows]") {
   int n_required = 0;
   for (const TreeRow& entry : command_tree()) {
     if (!entry.row->is_required) continue;
@@ -125,8 +125,7 @@ TEST_CASE("of every choice one row must be given where one must be", "[parser][r
   }
 }
 
-TEST_CASE("every row that names something is told of an unknown name with the nearest one",
-          "[parser][rows]") {
+TEST_CASE("every row that names something reports an unknown name with the nearest one", "[parser][rows]") {
   int n_naming = 0;
   for (const TreeRow& entry : command_tree()) {
     for (const K kind : entry.row->references) {

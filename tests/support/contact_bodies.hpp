@@ -16,7 +16,7 @@ std::string general_contact(const std::string& more = "",
 
 /// Bodies of a mesh with a contact definition, moved by a test. Their material has bulk modulus 1, shear
 /// modulus 0.5 and density 1; shells are as thick as the mesh's first attribute says, lines have it as area
-/// and particles as radius. Contact is told that the elements' stable step is 1.
+/// and particles as radius. For contact the elements' stable step is 1.
 class ContactBodies {
  public:
   /// Throws std::logic_error when the deck has errors.

@@ -50,7 +50,7 @@ TEST_CASE("a diff without two files, or of a negative tolerance, is a wrong comm
   CHECK(read_words({"diff", "a", "b", "--atol", "x"}).exit_code == ExitCode::deck);
 }
 
-TEST_CASE("a number that is out of range is told with what may stand there", "[app][options]") {
+TEST_CASE("a number that is out of range is reported with what may stand there", "[app][options]") {
   const contactsim::test::ProgramDirectory directory;
   const auto said = [&](const std::string& value) {
     const auto [code, out, err] = directory.run({"diff", "a", "b", "--rtol", value});

@@ -34,13 +34,13 @@ TEST_CASE("work that throws nothing keeps its exit code and tells nothing", "[ap
   CHECK(written == "");
 }
 
-TEST_CASE("a file error is told and ends with code 3", "[app][exit]") {
+TEST_CASE("a file error is reported and ends with code 3", "[app][exit]") {
   const auto [code, written] = guarded([]() -> ExitCode { throw FileError("a.g", "no such file"); });
   CHECK(static_cast<int>(code) == 3);
   CHECK(written == "error: a.g: no such file|");
 }
 
-TEST_CASE("an error of the solution is told and ends with code 4, wherever it is thrown", "[app][exit]") {
+TEST_CASE("an error of the solution is reported and ends with code 4, wherever it is thrown", "[app][exit]") {
   const auto [code, written] = guarded([]() -> ExitCode { throw SolveError(0.5, "node 7 is nowhere"); });
   CHECK(static_cast<int>(code) == 4);
   CHECK(written == "error: time 0.5: node 7 is nowhere|");

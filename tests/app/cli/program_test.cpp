@@ -130,7 +130,7 @@ TEST_CASE("a log that cannot be written ends with code 3", "[app][program]") {
   CHECK(err == "error: no/such/l.log: the log file cannot be written\n");
 }
 
-TEST_CASE("a full disk under the log or under standard output is told", "[app][program]") {
+TEST_CASE("a full disk under the log or under standard output is reported", "[app][program]") {
   const auto log = TwoBlocks().run({"two_blocks.i", "--check", "--log", "/dev/full"});
   CHECK(log.exit_code == 3);
   CHECK_THAT(log.err, Contains("error: /dev/full: the log file cannot be written\n"));

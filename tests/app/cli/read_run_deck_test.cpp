@@ -131,7 +131,7 @@ TEST_CASE("contact goes before explicit, explicit before the first", "[app][deck
   CHECK(chosen_of({procedure_of("p", {"a", "b+", "c+"})}).starts_with("p/b\n"));
 }
 
-TEST_CASE("regions that are not chosen are told, or refused", "[app][deck]") {
+TEST_CASE("regions that are not chosen are reported, or refused", "[app][deck]") {
   const std::vector<Procedure> procedures{procedure_of("p", {"a", "b+"}), procedure_of("q", {"c"})};
   CHECK(chosen_of(procedures) ==
         "p/b\n"

@@ -41,7 +41,7 @@ TEST_CASE("a missing mesh of the command line is a file error", "[app][mesh]") {
   CHECK(err == "error: no.g: no such file\n");
 }
 
-TEST_CASE("a missing mesh of the deck is told with the line that names it", "[app][mesh]") {
+TEST_CASE("a missing mesh of the deck is reported with the line that names it", "[app][mesh]") {
   const ProgramDirectory directory;
   directory.copy_decks({"two_blocks.i"});
   const auto [code, out, err] = directory.run({"two_blocks.i", "--check"});
@@ -51,7 +51,7 @@ TEST_CASE("a missing mesh of the deck is told with the line that names it", "[ap
         "the command line, after the deck, goes before it\n");
 }
 
-TEST_CASE("a mesh that a deck does not name and that is not there is told so", "[app][mesh]") {
+TEST_CASE("a mesh that a deck does not name and that is not there is reported so", "[app][mesh]") {
   const ProgramDirectory directory;
   directory.write("plate.i", deck_of_contact);
   const auto [code, out, err] = directory.run({"plate.i", "--check"});

@@ -22,7 +22,7 @@ using Lines = std::vector<std::string>;
 
 }  // namespace
 
-TEST_CASE("the first time beyond the tolerance and the largest difference are told", "[app][compare]") {
+TEST_CASE("the first time beyond the tolerance and the largest difference are reported", "[app][compare]") {
   const std::string a = "Time, f, g\n0, 0, 1\n1, 10, 1\n2, 20, 1\n3, 20, 1\n";
   const std::string b = "Time, f, g\n0, 0, 1\n1, 10.5, 1\n2, 23, 1\n3, 20, 1\n";
   CHECK(texts(a, a).empty());
@@ -35,7 +35,7 @@ TEST_CASE("noise around zero is no difference beside the largest of the column",
   CHECK(texts("Time,p\n0,1e-17\n1,5\n", "Time,p\n0,-3e-17\n1,5\n").empty());
 }
 
-TEST_CASE("columns and lines that one has alone are told", "[app][compare]") {
+TEST_CASE("columns and lines that one has alone are reported", "[app][compare]") {
   CHECK(texts("Time,f,g\n0,1,1\n", "Time,h,f\n0,1,1\n1,1,1\n") ==
         Lines{"only in the first: column g", "only in the second: column h",
               "only in the second: 1 line from time 1 on"});

@@ -77,7 +77,7 @@ TEST_CASE("facets of one table alone are counted by surface", "[app][compare]") 
   CHECK(texts(rows({"a", "a"}), rows({"a", "a", "a", "a"})) == Lines{"only in the second: 2 facets of 'a'"});
 }
 
-TEST_CASE("an area beyond the tolerance is told with the first facet", "[app][compare]") {
+TEST_CASE("an area beyond the tolerance is reported with the first facet", "[app][compare]") {
   CHECK(texts("a,b,7,3,face,2\n", "a,b,7,3,face,2.0000001\n").empty());
   CHECK(texts("a,b,7,3,face,2\n", "a,b,7,3,face,2.1\n") ==
         Lines{"area: 1 facet of 'a', first element 7 side 3: 2 -> 2.1"});

@@ -48,7 +48,7 @@ TEST_CASE("the same pairs do not differ, renamed or in another order", "[app][co
                  {{"lid", "cap"}}) == PairLines{});
 }
 
-TEST_CASE("pairs that one table has alone are told, by names of the second", "[app][compare]") {
+TEST_CASE("pairs that one table has alone are reported, by names of the second", "[app][compare]") {
   const TablePair tied{"lid", "box", "tie", {}};
   CHECK(lines_of({lid_box}, {}) == PairLines{"only in the first: pair box - lid (general contact)"});
   CHECK(lines_of({lid_box}, {tied}) == PairLines{"only in the first: pair box - lid (general contact)",
@@ -58,7 +58,7 @@ TEST_CASE("pairs that one table has alone are told, by names of the second", "[a
   CHECK(differences_of({}, {lid_box}).at(0).kind == "pair_only_in_second");
 }
 
-TEST_CASE("each setting that differs is told, also one that a table lacks", "[app][compare]") {
+TEST_CASE("each setting that differs is reported, also one that a table lacks", "[app][compare]") {
   const TablePair first{"a", "b", "i", {{"law", "tied"}, {"scale", "1.0"}, {"same", "x"}}};
   const TablePair second{"a", "b", "i", {{"law", "glued"}, {"same", "x"}, {"tolerance", "0.1"}}};
   const std::vector<Difference> found = differences_of({first}, {second});

@@ -48,7 +48,7 @@ TEST_CASE("wall times, threads and paths of summaries do not count", "[app][comp
   CHECK(texts(summary(), other).empty());
 }
 
-TEST_CASE("values that differ are told with both and the difference", "[app][compare]") {
+TEST_CASE("values that differ are reported with both and the difference", "[app][compare]") {
   RunSummary other = summary();
   other.definitions = {{"mu", "0.2"}};
   other.run->n_steps = 12;

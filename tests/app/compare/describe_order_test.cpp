@@ -10,7 +10,7 @@ using namespace contactsim;
 
 namespace {
 
-/// What is told when ten things, a to j, stand in another order.
+/// What is reported when ten things, a to j, stand in another order.
 std::string order_of(const std::string& second) {
   std::vector<std::string> names;
   std::vector<std::size_t> places;
@@ -25,7 +25,7 @@ std::string order_of(const std::string& second) {
 
 }  // namespace
 
-TEST_CASE("another order is told by what moves", "[app][compare]") {
+TEST_CASE("another order is described by what moves", "[app][compare]") {
   CHECK(order_of("cab") == "a, b, c -> c, a, b");
   CHECK(order_of("abhdefgcij") == "'c' and 'h', 3 and 8 of 10, change places");
   CHECK(order_of("abdefghcij") == "'c' goes from place 3 to 8 of 10");
@@ -36,7 +36,7 @@ TEST_CASE("another order is told by what moves", "[app][compare]") {
   CHECK(order_of("bacdefghji") == "2 of 10 go elsewhere: 'a' 1 -> 2, 'i' 9 -> 10");
 }
 
-TEST_CASE("of many that go elsewhere the first ten are told", "[app][compare]") {
+TEST_CASE("of many that go elsewhere the first ten are reported", "[app][compare]") {
   std::vector<std::string> names;
   std::vector<std::size_t> places(40);
   for (std::size_t i = 0; i < 40; ++i) {

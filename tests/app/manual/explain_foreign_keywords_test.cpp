@@ -63,7 +63,7 @@ TEST_CASE("the page of a program has its rows and what is left out, that of all 
   }
 }
 
-TEST_CASE("places of a deck are told as the manual says them", "[app][explain]") {
+TEST_CASE("places of a deck are reported as the manual says them", "[app][explain]") {
   CHECK(to_string(DeckPlace::interaction) == "in BEGIN INTERACTION");
   CHECK(to_string(DeckPlace::sierra) == "at the top");
   CHECK(to_string(DeckPlace::none) == "");

@@ -67,7 +67,7 @@ TEST_CASE("von Mises stress is made of a stored stress", "[app][report]") {
   CHECK(fields.fields[0].read(0)[1] == Approx(std::sqrt(3.0 + 150.0)));
 }
 
-TEST_CASE("what is not stored is told with the line that would store it, what is too much by name",
+TEST_CASE("what is not stored is reported with the line that would store it, what is too much by name",
           "[app][report]") {
   const StoredVariables of = stored({"a", "b", "c", "d", "e", "f", "g", "h", "i"}, {});
   const ReportFields fields = choose_report_fields(of, {});

@@ -54,13 +54,14 @@ TEST_CASE("a mesh is drawn with what is stored about it", "[app][report]") {
 }
 
 TEST_CASE("elements that die are hidden from then on, where results tell which do", "[app][report]") {
-  const auto told = drawn_results("death_status", dying);
-  CHECK(told->geometry.faces.at(0).hidden_from == OptionalIndex<std::uint32_t>{1});
-  for (const std::string& sentence : told->fields.not_found) CHECK_THAT(sentence, !Contains("death_status"));
-  const auto untold = drawn_results("heat", dying);
-  CHECK_FALSE(untold->geometry.faces.at(0).hidden_from);
-  REQUIRE_FALSE(untold->fields.not_found.empty());
-  CHECK(untold->fields.not_found.back() ==
+  const auto reported = drawn_results("death_status", dying);
+  CHECK(reported->geometry.faces.at(0).hidden_from == OptionalIndex<std::uint32_t>{1});
+  for (const std::string& sentence : reported->fields.not_found)
+    CHECK_THAT(sentence, !Contains("death_status"));
+  const auto unreported = drawn_results("heat", dying);
+  CHECK_FALSE(unreported->geometry.faces.at(0).hidden_from);
+  REQUIRE_FALSE(unreported->fields.not_found.empty());
+  CHECK(unreported->fields.not_found.back() ==
         "Elements may die, but the results do not say which did, so dead ones are drawn too: output element "
         "death_status.");
 }

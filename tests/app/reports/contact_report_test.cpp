@@ -38,15 +38,15 @@ TEST_CASE("a tied pair starts with its ties and their area", "[app][report]") {
                                  !Contains("not tied:"));
 }
 
-TEST_CASE("a search distance is told with what is as near", "[app][report]") {
-  const auto told = [](const std::string& distance) {
+TEST_CASE("a search distance is reported with what is as near", "[app][report]") {
+  const auto reported = [](const std::string& distance) {
     FlyingCube cube(
         {.contact = "begin interaction\nsurfaces = lower upper\nsearch distance = " + distance + "\nend\n"});
     cube.run(0);
     return start_of(cube);
   };
-  CHECK_THAT(told("0.5"), Contains("  search distance 0.5: lower to upper, what is as near now\n"));
-  CHECK_THAT(told("0.005"), Contains("  search distance 0.005: lower to upper, nothing is as near\n"));
+  CHECK_THAT(reported("0.5"), Contains("  search distance 0.5: lower to upper, what is as near now\n"));
+  CHECK_THAT(reported("0.005"), Contains("  search distance 0.005: lower to upper, nothing is as near\n"));
 }
 
 TEST_CASE("a run ends with what its search did, and the share of its stable step", "[app][report]") {

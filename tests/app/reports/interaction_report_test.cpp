@@ -60,7 +60,7 @@ TEST_CASE("interactions that reach, hold gaps and part as usual have no further 
     CHECK(table_under(title, model) == "");
 }
 
-TEST_CASE("how far sides reach is told where a line says it", "[app][pairs]") {
+TEST_CASE("how far sides reach is reported where a line says it", "[app][pairs]") {
   ContactModel model = model_of_interactions({"near", "tracked", "closed", "adjusted", "plain"});
   model.pairs[PairIndex{0}].search_distance.emplace().given = 0.5;
   model.pairs[PairIndex{1}].tracking_distance = 2.0;
@@ -74,7 +74,7 @@ TEST_CASE("how far sides reach is told where a line says it", "[app][pairs]") {
         "adjusted 10 all auto - rim\n");
 }
 
-TEST_CASE("what gaps of the start count as is told where a line says it", "[app][pairs]") {
+TEST_CASE("what gaps of the start count as is reported where a line says it", "[app][pairs]") {
   ContactModel model = model_of_interactions({"off", "clear", "ramp", "touch", "no", "plain"});
   model.pairs[PairIndex{0}].gap.contact_offset = 0.125;
   model.pairs[PairIndex{1}].gap.initial_clearance = -0.5;

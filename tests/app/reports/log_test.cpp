@@ -90,7 +90,7 @@ TEST_CASE("lines of a log are wrapped, problems are in the form of machines", "[
   CHECK(folder.text().ends_with("warning: strange [odd]\n  1 more like this\n"));
 }
 
-TEST_CASE("a log remembers the errors that it was told, and nothing else", "[app][log]") {
+TEST_CASE("a log remembers the errors that it was reported, and nothing else", "[app][log]") {
   const LogFolder folder;
   Log log(folder.path_of_log(), true);
   log.write_error("error: a file");

@@ -13,7 +13,7 @@ using Catch::Matchers::Contains;
 
 namespace {
 
-/// A quiet log in a folder of its own that a run is told to.
+/// A quiet log in a folder of its own that a run is reported to.
 struct LoggedRun {
   explicit LoggedRun(FlyingCube& cube)
       : simulation(cube.simulation), log(directory.file("a.log"), true), run_log(log) {
@@ -78,7 +78,7 @@ TEST_CASE("a log has a line for the start, each interval and the last step, whic
   CHECK(of_even.steps() == std::vector<std::string>{"0", "2", "4"});
 }
 
-TEST_CASE("why a run ends before its time is told", "[app][log]") {
+TEST_CASE("why a run ends before its time is reported", "[app][log]") {
   FlyingCube cube({.region = "begin solution termination\nterminate global kinetic_energy < 10\nend\n"});
   const LoggedRun logged(cube);
   cube.run_to_end();

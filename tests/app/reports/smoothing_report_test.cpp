@@ -44,7 +44,7 @@ TEST_CASE("shapes of the deck and those that were found have a row each", "[app]
   SurfaceShapes shapes;
   RoundShape cylinder;
   cylinder.origin = {1, 2, 3};
-  cylinder.axis = {0, 1e-12, 1};  // round-off is not told
+  cylinder.axis = {0, 1e-12, 1};  // round-off is not reported
   shapes.given = {cylinder};
   CHECK(row_of_lid(shapes) == "round lid circumferential - of nodes - axis (0, 0, 1) through (1, 2, 3)");
   CHECK(format_smoothings(smoothed_by(shapes)).starts_with("\nRound shapes of surfaces\n      smoothing  "));
@@ -63,7 +63,7 @@ TEST_CASE("shapes of the deck and those that were found have a row each", "[app]
         "round lid toroidal 12 2.5 0.0001 axis (0, 0, 1) through (0, 0, 0), circle of 10");
 }
 
-TEST_CASE("parts that are not round, or flat, are told", "[app][smoothing]") {
+TEST_CASE("parts that are not round, or flat, are reported", "[app][smoothing]") {
   SurfaceShapes shapes;
   shapes.n_unfitted = 2;
   shapes.least_residual = 0.0625;

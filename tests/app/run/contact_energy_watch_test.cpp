@@ -12,7 +12,7 @@ using namespace contactsim::test;
 
 namespace {
 
-/// The contact of a cube before another one, which is told of energy that it has given out.
+/// The contact of a cube before another one, to which energy is attributed that it has given out.
 struct Watched {
   Watched() { cube.run(0); }
   void step(double made, double put_in) {
@@ -38,7 +38,7 @@ struct Watched {
 
 }  // namespace
 
-TEST_CASE("the most that contact has given out from nowhere is told where it is a hundredth",
+TEST_CASE("the most that contact has given out from nowhere is reported where it is a hundredth",
           "[app][contact]") {
   Watched watched;
   watched.step(2.0, 100.0);

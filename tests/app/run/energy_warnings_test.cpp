@@ -44,7 +44,7 @@ struct WarnedCube {
 
 }  // namespace
 
-TEST_CASE("an energy balance that is off is told once, with step and share", "[app][energy]") {
+TEST_CASE("an energy balance that is off is reported once, with step and share", "[app][energy]") {
   WarnedCube cube;
   cube.step_to(400, 1.0);
   CHECK(messages(cube.found) == "");
@@ -56,7 +56,7 @@ TEST_CASE("an energy balance that is off is told once, with step and share", "[a
   CHECK(cube.found.all().size() == 1);
 }
 
-TEST_CASE("a block that has given out energy is told at the next look, or at the end", "[app][energy]") {
+TEST_CASE("a block that has given out energy is reported at the next look, or at the end", "[app][energy]") {
   WarnedCube cube;
   cube.step_to(100, 0.0);
   cube.stress_work() = -50.0;

@@ -44,7 +44,7 @@ TEST_CASE("a run that begins at rest is not warned of the error of its first ste
   CHECK(loaded_late.first_off(1000, late, [](int step) { return step < 500 ? 0.0 : -4e-12; }) == -1);
 }
 
-TEST_CASE("a lasting error is told when the energies have settled", "[app][energy]") {
+TEST_CASE("a lasting error is reported when the energies have settled", "[app][energy]") {
   Cube cube;
   const auto fall = [](int step) { return 1e-10 * step * step; };
   const int step = cube.first_off(1000, fall, [&](int n) { return 0.02 * fall(n); });
@@ -55,7 +55,7 @@ TEST_CASE("a lasting error is told when the energies have settled", "[app][energ
             1000, [](int) { return 5.0; }, [](int n) { return n > 7 ? 0.06 : 0.04; }) == 8);
 }
 
-TEST_CASE("energies that blow up are told of", "[app][energy]") {
+TEST_CASE("energies that blow up are reported", "[app][energy]") {
   Cube cube;
   const auto grow = [](int step) { return std::pow(2.0, step); };
   const int step = cube.first_off(100, grow, [&](int n) { return 0.9 * grow(n); });

@@ -63,7 +63,7 @@ std::size_t count(const std::string& text, const std::string& what) {
 
 }  // namespace
 
-TEST_CASE("overlap at the start is told with pair, nodes, depth and the line that removes it",
+TEST_CASE("overlap at the start is reported with pair, nodes, depth and the line that removes it",
           "[app][overlap]") {
   const TwoParts parts(two_blocks(0.05));
   const bool is_check = GENERATE(true, false);
@@ -86,10 +86,10 @@ TEST_CASE("blocks that only touch start without a word", "[app][overlap]") {
   CHECK_THAT(out, !Contains("Overlap at the start"));
 }
 
-TEST_CASE("overlap deeper than half an element is told, and removed when asked", "[app][overlap]") {
-  const auto told = TwoParts(two_blocks(0.2)).run({"a.i", "--check"});
-  CHECK(told.exit_code == 0);
-  CHECK_THAT(told.err, Contains("deepest by 0.2 at node ") && Contains("deeper than half an element"));
+TEST_CASE("overlap deeper than half an element is reported, and removed when asked", "[app][overlap]") {
+  const auto reported = TwoParts(two_blocks(0.2)).run({"a.i", "--check"});
+  CHECK(reported.exit_code == 0);
+  CHECK_THAT(reported.err, Contains("deepest by 0.2 at node ") && Contains("deeper than half an element"));
   const auto removed = TwoParts(two_blocks(0.2), removal, held).run({"a.i"});
   CHECK(removed.exit_code == 0);
   CHECK(removed.err == "");
@@ -134,7 +134,7 @@ TEST_CASE("shells as thick as no number are refused by node, without contact by 
   CHECK_THAT(apart.err, Contains("block_2: element 2 is too heavy to move"));
 }
 
-TEST_CASE("what a contact offset has overlap at the start is told, and put in by the start",
+TEST_CASE("what a contact offset has overlap at the start is reported, and put in by the start",
           "[app][overlap]") {
   const std::string by_offset =
       "skin all blocks = on\nbegin interaction\nsurfaces = block_1 block_2\ncontact offset = 0.04\n";
@@ -216,7 +216,7 @@ TEST_CASE("a point mass in a contact node set is pushed", "[app][transient]") {
   CHECK_THAT(out, Contains("Contact of pairs in the run") && !Contains("Pairs that never touched"));
 }
 
-TEST_CASE("a surface that is wrong by the deck alone is told once", "[app][surfaces]") {
+TEST_CASE("a surface that is wrong by the deck alone is reported once", "[app][surfaces]") {
   const TwoParts parts(two_blocks(0.0),
                        "contact surface a contains block_1\ncontact surface a contains block_2\n"
                        "begin contact surface nothing\nend\n");
@@ -242,7 +242,7 @@ TEST_CASE("the log tells the memory of contact, per face too", "[app][report]") 
   CHECK(bytes < 1.2 * 411 * 2406);
 }
 
-TEST_CASE("a smoothed surface that is strained by more than a tenth is told", "[app][smoothing]") {
+TEST_CASE("a smoothed surface that is strained by more than a tenth is reported", "[app][smoothing]") {
   const double way = GENERATE(0.05, 0.2);
   const Mesh mesh = MeshBuilder()
                         .add_hexes({.id = 1})
@@ -259,6 +259,6 @@ TEST_CASE("a smoothed surface that is strained by more than a tenth is told", "[
       "begin function f\ntype is analytic\nevaluate expression is \"500 * x\"\nend\n";
   const auto [code, out, err] = TwoParts(mesh, round, stretch, "", function).run({"a.i"});
   CHECK(code == 0);
-  const bool is_told = err.find("[smoothing-strained]") != std::string::npos;
-  CHECK(is_told == (way > 0.1));
+  const bool is_reported = err.find("[smoothing-strained]") != std::string::npos;
+  CHECK(is_reported == (way > 0.1));
 }

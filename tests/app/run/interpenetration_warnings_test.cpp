@@ -23,7 +23,8 @@ std::string said_of_pair(const Interpenetration& one) {
 
 }  // namespace
 
-TEST_CASE("bodies that lie in each other by more than a fifth of a thickness are told", "[app][contact]") {
+TEST_CASE("bodies that lie in each other by more than a fifth of a thickness are reported",
+          "[app][contact]") {
   Interpenetration one;
   CHECK(said_of_pair(one) == "");
   one.depth = 0.15;
@@ -43,7 +44,7 @@ TEST_CASE("bodies that lie in each other by more than a fifth of a thickness are
   CHECK(said_of_pair(one) == "");
 }
 
-TEST_CASE("nodes that went through a shell are told with the first of them", "[app][contact]") {
+TEST_CASE("nodes that went through a shell are reported with the first of them", "[app][contact]") {
   Interpenetration one;
   one.n_crossed = 1;
   one.crossed_node = 4;

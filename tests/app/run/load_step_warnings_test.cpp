@@ -47,7 +47,7 @@ TEST_CASE("load steps that ended as they should are nothing to tell", "[app][sta
   CHECK(steps.end() == "");
 }
 
-TEST_CASE("forces left over above the target are told once, with the first step and the worst",
+TEST_CASE("forces left over above the target are reported once, with the first step and the worst",
           "[app][statics]") {
   WarnedSteps one;
   one.take(searched(5e-4, CgReport::End::converged));
@@ -63,7 +63,7 @@ TEST_CASE("forces left over above the target are told once, with the first step 
                       "over are 0.02 of their reference at step 2, where"));
 }
 
-TEST_CASE("multipliers that would still change are told with change and target", "[app][statics]") {
+TEST_CASE("multipliers that would still change are reported with change and target", "[app][statics]") {
   WarnedSteps steps;
   LoadStepReport report = searched(1e-4, CgReport::End::converged);
   report.contact.change = 3.0;
@@ -96,7 +96,7 @@ TEST_CASE("deaths that nothing has balanced are counted from the first", "[app][
   CHECK_THAT(two.end(), Contains("in 2 load steps, the first of them 4, "));
 }
 
-TEST_CASE("stabilization that still bears as a block ends is told, within a block it is not",
+TEST_CASE("stabilization that still bears as a block ends is reported, within a block it is not",
           "[app][statics]") {
   WarnedSteps steps;
   LoadStepReport report = searched(1e-4, CgReport::End::converged);
@@ -115,7 +115,8 @@ TEST_CASE("stabilization that still bears as a block ends is told, within a bloc
   CHECK(below.end() == "");
 }
 
-TEST_CASE("energy of stabilization is told from a twentieth of the internal energy on", "[app][statics]") {
+TEST_CASE("energy of stabilization is reported from a twentieth of the internal energy on",
+          "[app][statics]") {
   WarnedSteps steps;
   steps.state.energies.internal = -100.0;
   steps.state.energies.stabilization = 5.0;

@@ -121,7 +121,8 @@ TEST_CASE("steps without equilibrium end the run with what is left over", "[app]
   CHECK_THAT(err, Contains("no equilibrium is found with a step of 0.0625") && Contains("most at node"));
 }
 
-TEST_CASE("forces left over above the target are told where the deck puts up with them", "[app][statics]") {
+TEST_CASE("forces left over above the target are reported where the deck puts up with them",
+          "[app][statics]") {
   const BentBar bar;
   bar.write_deck(
       "begin solver\nbegin cg\ntarget relative residual = 1e-12\nacceptable relative residual = 1e-2\n"

@@ -25,7 +25,7 @@ std::string said_by(Warn warn, const PairHistory& history) {
 
 }  // namespace
 
-TEST_CASE("sides deeper in each other than a tenth of the thickness are told", "[app][contact]") {
+TEST_CASE("sides deeper in each other than a tenth of the thickness are reported", "[app][contact]") {
   PairHistory history;
   history.deepest = 0.03;
   history.deepest_share = 0.1;
@@ -38,7 +38,7 @@ TEST_CASE("sides deeper in each other than a tenth of the thickness are told", "
   CHECK(said.find("[contact-penetration]") != std::string::npos);
 }
 
-TEST_CASE("contact that ended deep is told with its first place", "[app][contact]") {
+TEST_CASE("contact that ended deep is reported with its first place", "[app][contact]") {
   PairHistory history;
   history.n_lost = 2;
   history.lost_node = {4};
@@ -50,7 +50,7 @@ TEST_CASE("contact that ended deep is told with its first place", "[app][contact
                 "run) [contact-lost]") != std::string::npos);
 }
 
-TEST_CASE("pairs of infinitesimal sliding that have left their faces are told", "[app][contact]") {
+TEST_CASE("pairs of infinitesimal sliding that have left their faces are reported", "[app][contact]") {
   PairHistory history;
   history.slid_share = 0.5;
   CHECK(said_by(warn_of_small_sliding, history).empty());

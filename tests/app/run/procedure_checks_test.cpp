@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What is told of procedures that follow each other before any of them runs, by the program.
+// What is reported of procedures that follow each other before any of them runs, by the program.
 #include "app/run/procedure_checks.hpp"
 
 #include "support/catch.hpp"

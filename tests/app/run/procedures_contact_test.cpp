@@ -224,7 +224,7 @@ TEST_CASE("an explicit run from a preload of tied bodies does not ring", "[app][
   }
 }
 
-TEST_CASE("what is held of a preload is told by a run that ends before contact has found its forces, too",
+TEST_CASE("what is held of a preload is reported by a run that ends before contact has found its forces, too",
           "[app][procedures][ties]") {
   const std::string form = "constraint formulation = node_face\n";
   const PressedBlocks blocks;
@@ -332,7 +332,7 @@ TEST_CASE("ties are refused where no contact is taken over", "[app][procedures][
   CHECK_THAT(run.err, Contains("where a PROCEDURAL TRANSFER takes over no contact"));
 }
 
-TEST_CASE("contact of other pairs begins anew after a transfer, which is told", "[app][procedures]") {
+TEST_CASE("contact of other pairs begins anew after a transfer, which is reported", "[app][procedures]") {
   const PressedBlocks blocks;
   const std::string loading = PressedBlocks::procedure("adagio", "load", "0", "1", "");
   const auto other = blocks.run_deck(

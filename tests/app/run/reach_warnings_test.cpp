@@ -38,7 +38,7 @@ TEST_CASE("lines about reach that do what they say are nothing to tell", "[app][
   CHECK(reach_said_of_pair("interaction behavior = infinitesimal_sliding\n") == "");
 }
 
-TEST_CASE("a capture tolerance of a law that holds nothing is told", "[app][reach]") {
+TEST_CASE("a capture tolerance of a law that holds nothing is reported", "[app][reach]") {
   CHECK_THAT(
       reach_said_of_pair("capture tolerance = 0.05\n"),
       Contains("warning: CAPTURE TOLERANCE has no effect: the law 'frictionless' holds nothing at the start; "
@@ -46,7 +46,8 @@ TEST_CASE("a capture tolerance of a law that holds nothing is told", "[app][reac
   CHECK_THAT(reach_said_of_all("capture tolerance = 0.05\n"), Contains("[capture-without-effect]"));
 }
 
-TEST_CASE("a search distance within which nothing is is told of a pair, or once of all", "[app][reach]") {
+TEST_CASE("a search distance within which nothing lies is reported for a pair, or once of all",
+          "[app][reach]") {
   CHECK_THAT(
       reach_said_of_pair("search distance = 0.005\n"),
       Contains("warning: lower to upper: nothing is within the SEARCH DISTANCE of 0.005, so that they never "

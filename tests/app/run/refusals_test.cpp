@@ -90,7 +90,7 @@ TEST_CASE("load steps refuse deaths that equilibrium does not know", "[app][refu
   CHECK(refused_of(definition).starts_with("error: DEATH ON INVERSION" + in_statics + "; "));
 }
 
-TEST_CASE("a run needs a procedure with times, and is told what it lacks", "[app][refusals]") {
+TEST_CASE("a run needs a procedure with times, and reports what it lacks", "[app][refusals]") {
   SimulationDefinition definition = deck_of_region("");
   definition.procedures.front().time_control.reset();
   CHECK(refused_of(definition) ==

@@ -31,7 +31,7 @@ TEST_CASE("outputs go where the run says, and are computed always where elements
   CHECK(settings_of(dying, {}).always_computes);
 }
 
-TEST_CASE("an output that would replace a kept file, or cannot be written, is told by its path",
+TEST_CASE("an output that would replace a kept file, or cannot be written, is reported by its path",
           "[app][outputs]") {
   const TemporaryDirectory directory;
   const std::string mesh = directory.file("m.g"), other = directory.file("o.e");

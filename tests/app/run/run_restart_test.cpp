@@ -142,7 +142,7 @@ TEST_CASE("a state of another mesh or material is refused", "[app][restart]") {
   CHECK_THAT(err, Contains("is of a run with other nodes or elements"));
 }
 
-TEST_CASE("a state that is far from RESTART TIME is told", "[app][restart]") {
+TEST_CASE("a state that is far from RESTART TIME is reported", "[app][restart]") {
   const FlyingBar bar;
   REQUIRE(bar.run_deck(restart("at time 0 increment = 5e-4\n")).exit_code == 0);
   CHECK_THAT(bar.run_deck(restart(every_ten + "restart time = 5e-4\n")).err, !Contains("[restart-"));
@@ -152,7 +152,7 @@ TEST_CASE("a state that is far from RESTART TIME is told", "[app][restart]") {
                       Contains("[restart-time]"));
 }
 
-TEST_CASE("a state of an earlier run than the latest one is told", "[app][restart]") {
+TEST_CASE("a state of an earlier run than the latest one is reported", "[app][restart]") {
   const FlyingBar bar;
   REQUIRE(bar.run_deck(restart("at time 0 increment = 5e-4\n")).exit_code == 0);
   REQUIRE(bar.run_deck(restart("overlay count = 1\nat time 0 increment = 2e-3\n")).exit_code == 0);
@@ -185,7 +185,7 @@ TEST_CASE("a run that a condition has ended does not go beyond it", "[app][resta
   CHECK_THAT(last_line, Contains(end_of(bar.read("a.csv-s0002"), last_line)));
 }
 
-TEST_CASE("what has changed since a state was stored is told", "[app][restart]") {
+TEST_CASE("what has changed since a state was stored is reported", "[app][restart]") {
   const FlyingBar bar;
   REQUIRE(bar.run_deck(restart(every_ten)).exit_code == 0);
   const auto go_on_with = [&](const std::string& before, const std::string& after) {

@@ -132,7 +132,7 @@ TEST_CASE("what a run does not act on yet is refused at its line", "[app][transi
   CHECK_THAT(touched.out, Contains("\nContact surfaces\n"));
 }
 
-TEST_CASE("observers are told of the start, of every step and of the end", "[app][simulation]") {
+TEST_CASE("observers are notified of the start, of every step and of the end", "[app][simulation]") {
   FlyingCube cubes;
   std::vector<RunEvent> events;
   double momentum_error = 0.0;

@@ -47,14 +47,15 @@ TEST_CASE("faces that lean on their round shape are counted", "[app][smoothing]"
                "smoothing 'ball' gives them; the axis or centre may be another one [smoothing-askew]\n"));
 }
 
-TEST_CASE("smoothing of what only ties is told to do nothing", "[app][smoothing]") {
+TEST_CASE("smoothing of what only ties is reported to do nothing", "[app][smoothing]") {
   CHECK_THAT(
       SmoothedCube("spherical center = 0.5 0.5 0.5\n", "friction model = tied\n").said(),
       Contains("warning: 'lower' and 'upper': ties hold faces as they find them, with or without SMOOTHING "
                "[smoothing-without-effect]\n"));
 }
 
-TEST_CASE("edges of a smoothed surface that change by more than a tenth are told once", "[app][smoothing]") {
+TEST_CASE("edges of a smoothed surface that change by more than a tenth are reported once",
+          "[app][smoothing]") {
   SmoothedCube cube("spherical center = 0.5 0.5 0.5\n");
   CHECK(cube.said_of_stretch(1.0) == "");
   CHECK(cube.said_of_stretch(1.09) == "");

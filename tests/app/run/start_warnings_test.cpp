@@ -98,7 +98,7 @@ std::string warnings_of(const Mesh& mesh, const std::string& contact) {
 
 }  // namespace
 
-TEST_CASE("rods that meet under a law that acts on faces alone are told", "[app][edges]") {
+TEST_CASE("rods that meet under a law that acts on faces alone are reported", "[app][edges]") {
   CHECK_THAT(
       warnings_of(crossed_rods(), general("tied")),
       Contains("where beams or trusses meet each other the law 'tied' does not act: they are neither tied "
@@ -116,7 +116,7 @@ TEST_CASE("laws that act between rods, and rods without edge contact, are nothin
   CHECK_THAT(warnings_of(crossed_rods(), general("tied", no_edges)), !Contains("edges-without-law"));
 }
 
-TEST_CASE("a tied hybrid half is told of rods", "[app][edges]") {
+TEST_CASE("a tied hybrid half of rods is reported", "[app][edges]") {
   const std::string half_tied = "begin hybrid model half\ninitially close = tied\nend\n";
   CHECK_THAT(warnings_of(crossed_rods(), half_tied + general("half")), Contains("where it ties"));
 }
@@ -126,7 +126,7 @@ TEST_CASE("tied solids, and a rod tied to a solid, are nothing to tell", "[app][
   CHECK_THAT(warnings_of(rod_on_block(), general("tied")), !Contains("edges-without-law"));
 }
 
-TEST_CASE("lines about gaps that do nothing are told", "[app][gaps]") {
+TEST_CASE("lines about gaps that do nothing are reported", "[app][gaps]") {
   CHECK_THAT(warnings_of(blocks_apart(0.0), pair("friction model = tied\ncontact offset = 0.1\n")),
              Contains("[gap-without-effect]"));
   CHECK_THAT(warnings_of(blocks_apart(3.0), pair("initial clearance = 0.1\n")),
@@ -144,24 +144,24 @@ TEST_CASE("lines about gaps that do nothing are told", "[app][gaps]") {
   CHECK_THAT(sound, !Contains("clearance-") && !Contains("gap-without-effect"));
 }
 
-TEST_CASE("lines about separation, sides and stiffness that do nothing are told", "[app][sides]") {
-  const auto told = [](const std::string& lines, const std::string& models = "") {
+TEST_CASE("lines about separation, sides and stiffness that do nothing are reported", "[app][sides]") {
+  const auto reported = [](const std::string& lines, const std::string& models = "") {
     return warnings_of(block_on_block(), models + pair(lines));
   };
-  CHECK_THAT(told("sides = top\n"),
+  CHECK_THAT(reported("sides = top\n"),
              Contains("no shell has the side that it names") && Contains("[sides-without-shells]"));
-  CHECK_THAT(told("friction model = tied\nseparation = off\n"), Contains("[separation-without-effect]"));
+  CHECK_THAT(reported("friction model = tied\nseparation = off\n"), Contains("[separation-without-effect]"));
   const std::string soft =
       "begin exponential pressure model soft\npressure at zero gap = 1\nclearance at zero pressure = 0.001\n";
-  CHECK_THAT(told("friction model = soft\npenalty stiffness = 1e6\n", soft + "end\n"),
+  CHECK_THAT(reported("friction model = soft\npenalty stiffness = 1e6\n", soft + "end\n"),
              Contains("PENALTY STIFFNESS has no effect beside the law 'exponential pressure'"));
-  CHECK_THAT(
-      told("friction model = soft\npenalty stiffness = 1e6\n", soft + "friction coefficient = 0.1\nend\n"),
-      !Contains("PENALTY STIFFNESS"));
-  CHECK_THAT(told("separation = off\n"), !Contains("without-effect"));
+  CHECK_THAT(reported("friction model = soft\npenalty stiffness = 1e6\n",
+                      soft + "friction coefficient = 0.1\nend\n"),
+             !Contains("PENALTY STIFFNESS"));
+  CHECK_THAT(reported("separation = off\n"), !Contains("without-effect"));
 }
 
-TEST_CASE("a tie of side sets that leaves a part of both free is told", "[app][ties]") {
+TEST_CASE("a tie of side sets that leaves a part of both free is reported", "[app][ties]") {
   using contactsim::test::CandidateSide;
   const auto sides = [](double overhang) {
     return MeshBuilder()
@@ -183,7 +183,7 @@ TEST_CASE("a tie of side sets that leaves a part of both free is told", "[app][t
   CHECK_THAT(warnings_of(sides(0.0), general("tied", surfaces)), !Contains("tie-partial"));
 }
 
-TEST_CASE("lines about reach that do nothing are told", "[app][reach]") {
+TEST_CASE("lines about reach that do nothing are reported", "[app][reach]") {
   CHECK_THAT(warnings_of(blocks_apart(0.05), pair("capture tolerance = 0.1\n")),
              Contains("[capture-without-effect]") && Contains("'frictionless' holds nothing"));
   CHECK_THAT(warnings_of(blocks_apart(0.05), pair("capture tolerance = 0.1\nfriction model = tied\n")),

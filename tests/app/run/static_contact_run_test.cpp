@@ -117,7 +117,8 @@ TEST_CASE("a body that only contact holds drifts until it touches", "[app][stati
   }
 }
 
-TEST_CASE("stabilization is gone as a time stepping block ends, and told where it is not", "[app][statics]") {
+TEST_CASE("stabilization is gone as a time stepping block ends, and reported where it is not",
+          "[app][statics]") {
   const PressedBlock block(0.05);
   const std::string free =
       "begin pressure\nsurface = above\nfunction = ramp\nscale factor = 1e4\nend\n" + full;
@@ -161,7 +162,8 @@ TEST_CASE("a load step that finds no equilibrium does not tell of what its trial
   CHECK_THAT(err, Contains("no equilibrium") && !Contains("interpenetration"));
 }
 
-TEST_CASE("enforcement of load steps is told, and that of explicit steps has no effect", "[app][statics]") {
+TEST_CASE("enforcement of load steps is reported, and that of explicit steps has no effect",
+          "[app][statics]") {
   const PressedBlock block;
   block.write_deck(sliding);
   const auto [code, out, err] = block.run({"a.i"});
@@ -175,7 +177,7 @@ TEST_CASE("enforcement of load steps is told, and that of explicit steps has no 
   CHECK_THAT(penalty.out, !Contains("augmented_lagrange"));
 }
 
-TEST_CASE("multipliers that end above their target are told with change and target", "[app][statics]") {
+TEST_CASE("multipliers that end above their target are reported with change and target", "[app][statics]") {
   const PressedBlock block;
   const auto control = [](const std::string& lines) {
     return "begin solver\nbegin control contact\n" + lines + "end\nend\n";

@@ -210,7 +210,7 @@ TEST_CASE("what has died in a load step that is cut back lives again", "[app][st
   }
 }
 
-TEST_CASE("deaths that no iteration of CONTROL FAILURE has balanced are told", "[app][statics][death]") {
+TEST_CASE("deaths that no iteration of CONTROL FAILURE has balanced are reported", "[app][statics][death]") {
   const PulledBars bars;
   const std::string fading =
       "begin element death d\nelement = 2\ncriterion is element value of von_mises > 6e3\ndeath steps = "
@@ -228,7 +228,7 @@ TEST_CASE("deaths that no iteration of CONTROL FAILURE has balanced are told", "
   CHECK(bars.column(1)[3] == Approx(0.75e4).epsilon(0.01));
 }
 
-TEST_CASE("what deaths in load steps cannot do is refused, what has no effect is told",
+TEST_CASE("what deaths in load steps cannot do is refused, what has no effect is reported",
           "[app][statics][death]") {
   const PulledBars bars;
   const std::string begin = "begin element death d\nblock = one\ncriterion is always true\n";

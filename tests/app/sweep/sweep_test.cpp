@@ -61,7 +61,7 @@ struct ShellStudy : TemporaryDirectory {
 
 }  // namespace
 
-TEST_CASE("every run has its folder, is told to leave a summary, and is told of", "[app][sweep]") {
+TEST_CASE("every run has its folder, is asked to leave a summary, and is reported", "[app][sweep]") {
   ShellStudy study("echo \"$n $0 $1\" > said");
   const SweepOutcome outcome = run_sweep_of(study.runs, study.settings);
   CHECK(outcome.n_done == 3);

@@ -8,7 +8,7 @@
 namespace contactsim::test {
 
 /// What of a definition that was read without an error cannot be: a time or a parameter that is no number, a
-/// function that cannot be made and is not told of. "" when nothing is.
+/// function that cannot be made and is not reported. "" when nothing is.
 std::string find_definition_harm(const SimulationDefinition& definition);
 
 }  // namespace contactsim::test

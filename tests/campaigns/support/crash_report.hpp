@@ -16,7 +16,7 @@ bool is_sanitized();
 std::string headline_of(const std::string& report);
 
 /// Whether the innermost call in a crash report that is neither of the C library nor of the sanitizers
-/// is of libnetcdf or libhdf5, or the guard around their calls has told so.
+/// is of libnetcdf or libhdf5, or the guard around their calls has reported so.
 bool is_of_file_library(const std::string& report);
 
 }  // namespace contactsim::test

@@ -161,7 +161,7 @@ TEST_CASE("points that lean on one carrier soften each other", "[contact][point_
   CHECK(cubes.carriers.share(cubes.terms, cubes.weights, 0, {along_z}, areas) == Approx(0.2 * 5.0));
 }
 
-TEST_CASE("what leans on a carrier is told by side", "[contact][point_carriers]") {
+TEST_CASE("what leans on a carrier is counted by side", "[contact][point_carriers]") {
   CarriedCubes cubes;
   cubes.cubes.hold({{5}}, Components{{true, true, true}});
   cubes.begin();

@@ -18,13 +18,13 @@ std::map<std::uint32_t, double> gaps_before_faces(ContactParts& parts) {
   ContactSearch search(parts.contact_mesh, parts.mesh, parts.rules, parts.definition.search,
                        parts.definition.dash);
   std::map<std::uint32_t, double> gaps;
-  std::map<std::pair<SurfaceNodeIndex, FaceIndex>, double> told;
+  std::map<std::pair<SurfaceNodeIndex, FaceIndex>, double> reported;
   visit_nodes_before_faces(
       search, parts.kinematics, parts.rules, parts.motion(), [&](const NodeBeforeFace& node) {
         const SurfaceNode& row = parts.contact_mesh.surface_nodes[node.row];
         CHECK(node.pair == PairIndex{0});
         CHECK(row.surface != parts.contact_mesh.faces[node.face].surface);
-        CHECK(told.emplace(std::pair(node.row, node.face), node.gap).first->second == node.gap);
+        CHECK(reported.emplace(std::pair(node.row, node.face), node.gap).first->second == node.gap);
         double& gap = gaps.emplace(parts.contact_mesh.mesh_nodes[row.node].value, node.gap).first->second;
         if (std::abs(node.gap) < std::abs(gap)) gap = node.gap;
       });
@@ -37,7 +37,7 @@ std::string either_formulation() {
 
 }  // namespace
 
-TEST_CASE("nodes that stand over faces of the other side are told with their gaps, others are not",
+TEST_CASE("nodes that stand over faces of the other side are reported with their gaps, others are not",
           "[contact][nodes_before_faces]") {
   const double gap = GENERATE(0.1, -0.1);
   ContactParts parts(cube_over_cube(gap, 0.5, 0.25), general_contact(either_formulation()));

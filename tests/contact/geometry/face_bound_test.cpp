@@ -74,9 +74,9 @@ TEST_CASE("the corners lie within the warp of the parallelogram", "[contact][fac
   }
 }
 
-TEST_CASE("faces that touch pass their bounds, most that do not are told apart", "[contact][face_bound]") {
+TEST_CASE("faces that touch pass their bounds, most that do not are distinguished", "[contact][face_bound]") {
   Random random(11);
-  int n_touching = 0, n_apart = 0, n_told = 0;
+  int n_touching = 0, n_apart = 0, n_reported = 0;
   for (int i = 0; i < 4000; ++i) {
     const MovingFace first = random_face(random, i % 3 == 0, false, uniform(random, 0.0, 0.6));
     MovingFace second = random_face(random, i % 5 == 0, true, 0.0);
@@ -88,11 +88,11 @@ TEST_CASE("faces that touch pass their bounds, most that do not are told apart",
       CHECK(passes);
     } else {
       ++n_apart;
-      n_told += passes ? 0 : 1;
+      n_reported += passes ? 0 : 1;
     }
   }
   CHECK(n_touching > 200);
-  CHECK(n_told > n_apart / 3);
+  CHECK(n_reported > n_apart / 3);
 }
 
 TEST_CASE("faces that look the same way, or are apart, do not touch", "[contact][face_bound]") {
@@ -106,7 +106,7 @@ TEST_CASE("faces that look the same way, or are apart, do not touch", "[contact]
 
 TEST_CASE("points that project inside a face pass its bound, most others do not", "[contact][face_bound]") {
   Random random(13);
-  int n_inside = 0, n_outside = 0, n_told = 0;
+  int n_inside = 0, n_outside = 0, n_reported = 0;
   for (int i = 0; i < 4000; ++i) {
     const MovingFace face = random_face(random, i % 3 == 0, true, 0.0);
     const Vector3d point = random_vector(random, 0.8);
@@ -119,11 +119,11 @@ TEST_CASE("points that project inside a face pass its bound, most others do not"
       CHECK(passes);
     } else {
       ++n_outside;
-      n_told += passes ? 0 : 1;
+      n_reported += passes ? 0 : 1;
     }
   }
   CHECK(n_inside > 200);
-  CHECK(n_told > n_outside / 2);
+  CHECK(n_reported > n_outside / 2);
 }
 
 TEST_CASE("a corner that runs ahead of its face stirs it by what it is faster than the mean",

@@ -217,7 +217,7 @@ TEST_CASE("the slip of a node turns with its surface", "[contact][contact_output
   }
 }
 
-TEST_CASE("the slip rate is told along friction and across it", "[contact][contact_output]") {
+TEST_CASE("the slip rate is reported along friction and across it", "[contact][contact_output]") {
   Watched bodies(rough());
   bodies.shift(1, {0, 0, -0.01});
   bodies.ask();

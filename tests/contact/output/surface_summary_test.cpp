@@ -68,7 +68,7 @@ TEST_CASE("a skin is counted by faces, nodes and area", "[contact][summary]") {
   CHECK(s.lofted_elements == 0);
 }
 
-TEST_CASE("triangles and quadrilaterals are told apart", "[contact][summary]") {
+TEST_CASE("triangles and quadrilaterals are distinguished", "[contact][summary]") {
   // Two wedges fill a cube: its top and bottom are two triangles each.
   const Mesh mesh = MeshBuilder().add_wedges({.id = 1, .size = {1, 2, 3}}).build();
   const SurfaceSummary s = summary_of(mesh, "skin all blocks = on\n");

@@ -99,7 +99,7 @@ TEST_CASE("an automatic tolerance is a twentieth of the mean edge of the faces",
   CHECK(n_moved(mesh, adjusted, 1.0 + gap, 1.0) == (gap < 0.01 ? 36 : 0));
 }
 
-TEST_CASE("held nodes stay, and the gap before them is told", "[contact][gap_closure]") {
+TEST_CASE("held nodes stay, and the gap before them is reported", "[contact][gap_closure]") {
   const Mesh mesh = two_cubes(0.01);
   const std::vector<std::uint8_t> is_held(mesh.n_nodes(), 1);
   const OverlapRemoved adjusted = adjust(mesh, deck("gap closure tolerance = 0.02\n"), is_held);
@@ -121,7 +121,7 @@ TEST_CASE("only pairs that close gaps lose their overlap when removal is not ask
   CHECK(adjust(mesh, other).coordinates == mesh.coordinates());
 }
 
-TEST_CASE("a set that the mesh does not have is told with the nearest name", "[contact][gap_closure]") {
+TEST_CASE("a set that the mesh does not have is reported with the nearest name", "[contact][gap_closure]") {
   const auto model = make_model(two_cubes(0.01), deck("adjust node set = lowre\n"));
   CHECK(model.messages.find("lowre") != std::string::npos);
   CHECK(model.messages.find("'lower'") != std::string::npos);
@@ -175,7 +175,7 @@ TEST_CASE("nodes move along the normal of the face that they go to", "[contact][
   }
 }
 
-TEST_CASE("a node that two pairs move is told, and the later pair has it", "[contact][gap_closure]") {
+TEST_CASE("a node that two pairs move is reported, and the later pair has it", "[contact][gap_closure]") {
   const Mesh mesh = MeshBuilder()
                         .add_hexes({.id = 1})
                         .add_hexes({.id = 2, .origin = {1.0, 0, 0.005}, .share_nodes = false})

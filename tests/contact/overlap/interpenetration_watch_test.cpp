@@ -92,7 +92,7 @@ TEST_CASE("a look comes when a node has gone by a quarter of the thickness, at t
   CHECK(w.found().depth > known);
 }
 
-TEST_CASE("what lay in each other at the start, what is tied and what is dead is not told",
+TEST_CASE("what lay in each other at the start, what is tied and what is dead is not reported",
           "[contact][overlap]") {
   StartOverlap overlap;
   overlap.pair = {0};

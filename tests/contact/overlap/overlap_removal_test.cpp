@@ -129,10 +129,10 @@ TEST_CASE("bodies deeper in each other than half an element come apart as wholes
   const Eigen::Matrix3Xd way = removed.coordinates - mesh.coordinates();
   for (Eigen::Index i = 1; i < 8; ++i) CHECK((way.col(i) - way.col(0)).norm() < 1e-12);
   CHECK((way.col(8) - way.col(0)).norm() == Approx(0.6).epsilon(1e-9));
-  const std::string told =
+  const std::string reported =
       general_contact +
       "begin interaction\n surfaces = block_1 block_2\n overlap normal tolerance = 0.7\nend\n";
-  CHECK(move_at(mesh, remove(mesh, told), 1.0) == Approx(-0.3).epsilon(1e-12));
+  CHECK(move_at(mesh, remove(mesh, reported), 1.0) == Approx(-0.3).epsilon(1e-12));
   CHECK(remove(two_cubes(0.02), general_contact + "begin interaction\n surfaces = block_1 block_2\n"
                                                   " overlap normal tolerance = 0.01\nend\n")
             .moves.empty());

@@ -58,7 +58,7 @@ TEST_CASE("nodes are near faces that either may reach, and never those of their 
   CHECK(nodes == std::set<std::uint32_t>{8, 9, 10, 11});
 }
 
-TEST_CASE("far apart nothing is near until the search is told to look farther", "[contact][overlap]") {
+TEST_CASE("far apart nothing is near until the search is reported to look farther", "[contact][overlap]") {
   const auto n_near = [](double widened) {
     OverlappingBodies far(OverlappingBodies::cubes(-1.2));
     far.search.widen(widened);

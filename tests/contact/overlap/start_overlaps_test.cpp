@@ -126,7 +126,7 @@ TEST_CASE("of two free blocks each goes half the way", "[contact][overlap]") {
   CHECK(removed.moves.at(0).left < 1e-9);
 }
 
-TEST_CASE("overlap deeper than its tolerance stays and is told", "[contact][overlap]") {
+TEST_CASE("overlap deeper than its tolerance stays and is reported", "[contact][overlap]") {
   const std::string more = lines + "begin remove initial overlap\n overlap normal tolerance = 0.1\nend\n";
   const Mesh mesh = two_blocks(0.3);
   const OverlapRemoved removed = remove(mesh, {}, more);

@@ -31,7 +31,7 @@ UntiedPart find(const Mesh& mesh, const std::string& lines) {
 
 }  // namespace
 
-TEST_CASE("what of a wedge no tie reaches is told", "[contact][untied_parts]") {
+TEST_CASE("what of a wedge no tie reaches is reported", "[contact][untied_parts]") {
   const Mesh mesh = wedge();
   const UntiedPart part = find(mesh, "capture tolerance = 0.3\n");
   CHECK(part.is_partial());
@@ -42,7 +42,7 @@ TEST_CASE("what of a wedge no tie reaches is told", "[contact][untied_parts]") {
   for (const NodeIndex node : part.nodes) CHECK(mesh.coordinates()(0, node.value) > 5.5);
 }
 
-TEST_CASE("nodes of NODE_FACE that no tie reaches are told", "[contact][untied_parts]") {
+TEST_CASE("nodes of NODE_FACE that no tie reaches are reported", "[contact][untied_parts]") {
   const UntiedPart part = find(wedge(), "capture tolerance = 0.3\nconstraint formulation = node_face\n");
   CHECK(part.is_partial());
   CHECK(part.nodes.size() == 10);

@@ -148,7 +148,7 @@ TEST_CASE("boxes that all coincide all pair", "[contact][broad_phase]") {
   CHECK(between.of(0).size() == 20000);
 }
 
-TEST_CASE("the first unsound box is told, before a build and at a refit", "[contact][broad_phase]") {
+TEST_CASE("the first unsound box is reported, before a build and at a refit", "[contact][broad_phase]") {
   std::vector<Box> boxes(5, Box{{0, 0, 0}, {1, 1, 1}});
   BroadPhase phase;
   PairTable lists;

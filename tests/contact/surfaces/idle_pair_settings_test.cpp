@@ -23,7 +23,7 @@ std::string said_of(const std::string& lines, bool is_static) {
 
 }  // namespace
 
-TEST_CASE("ways of enforcement of other procedures have no effect, which is told", "[contact][pairs]") {
+TEST_CASE("ways of enforcement of other procedures have no effect, which is reported", "[contact][pairs]") {
   const std::string lagrange = "begin interaction defaults\nenforcement = augmented_lagrange\nend\n";
   CHECK(said_of(lagrange, true) == "");
   const std::string said = said_of(lagrange, false);
@@ -40,7 +40,7 @@ TEST_CASE("ways of enforcement of other procedures have no effect, which is told
   CHECK(said_of("enforcement = penalty\n", true) == "");
 }
 
-TEST_CASE("contact stabilization has no effect where inertia holds bodies, which is told",
+TEST_CASE("contact stabilization has no effect where inertia holds bodies, which is reported",
           "[contact][pairs]") {
   const auto said = [](bool is_static, double scale) {
     ContactDefinition contact;

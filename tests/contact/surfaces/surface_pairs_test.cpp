@@ -160,7 +160,7 @@ TEST_CASE("an exclusion wins wherever it stands", "[contact][pairs]") {
   }
 }
 
-TEST_CASE("an exclusion of what does not meet anyway is told", "[contact][pairs]") {
+TEST_CASE("an exclusion of what does not meet anyway is reported", "[contact][pairs]") {
   CHECK(pair_up("begin interaction\n surfaces = a b\nend\n"
                 "begin interaction off\n surfaces = a c\n interaction behavior = no_interaction\nend\n")
             .messages ==
@@ -316,7 +316,7 @@ TEST_CASE("a surface on both sides meets itself both ways, with a warning", "[co
   CHECK(pair_up(sides + "end\n").messages == "");
 }
 
-TEST_CASE("FACE_FACE asked for of a surface of nodes is told", "[contact][pairs]") {
+TEST_CASE("FACE_FACE asked for of a surface of nodes is reported", "[contact][pairs]") {
   const Paired paired =
       pair_up("begin interaction rub\n surfaces = a b n\n constraint formulation = face_face\nend\n");
   CHECK(paired.text ==

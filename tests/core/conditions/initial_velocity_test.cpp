@@ -55,7 +55,7 @@ TEST_CASE("an initial velocity may be a function of the time or the place", "[co
         "c.i:1:1: error: the initial velocity has no finite value at node 2\n");
 }
 
-TEST_CASE("of several initial velocities the last counts, and a change is told", "[core][conditions]") {
+TEST_CASE("of several initial velocities the last counts, and a change is reported", "[core][conditions]") {
   const std::string at_1 = "block = block_1\ncomponent = x\nmagnitude = 5";
   const Set equal = set({at_1, "block = block_2\ncomponent = x\nmagnitude = 5"});
   CHECK(equal.messages == "");

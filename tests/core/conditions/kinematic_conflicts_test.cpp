@@ -112,7 +112,7 @@ TEST_CASE("motions at different times do not disturb each other, slanted holds m
   CHECK(n_conflicts(hold, slanted) == 0);
 }
 
-TEST_CASE("every pair of conflicting motions is told at its later one", "[core][conditions]") {
+TEST_CASE("every pair of conflicting motions is reported at its later one", "[core][conditions]") {
   const Components x{{true, false, false}};
   std::vector<PrescribedMotion> motions{motion_of(driven, x, {{0}, {1}, {2}}),
                                         motion_of(driven, x, {{1}, {2}, {7}}), motion_of(driven, x, {{7}})};

@@ -191,7 +191,8 @@ TEST_CASE("a value that is not finite ends the run at the rigid body that it is 
         "'b'");
 }
 
-TEST_CASE("conflicts on bodies are told, what their nodes said is not told again", "[core][conditions]") {
+TEST_CASE("conflicts on bodies are reported, what their nodes said is not reported again",
+          "[core][conditions]") {
   RigidScope rigid(condition_block("prescribed velocity", "node set = n4 n5\ncomponent = x\nfunction = one") +
                    condition_block("fixed displacement", "node set = n1 n2 n4 n5\ncomponent = x"));
   make_kinematic_constraints(rigid.scope());

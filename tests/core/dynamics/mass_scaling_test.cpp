@@ -77,7 +77,7 @@ TEST_CASE("mass scaling brings every element to the target step and adds no more
   CHECK(scaled.said("mass-scaled"));
 }
 
-TEST_CASE("a bound of mass scaling holds and is told", "[core][mass_scaling]") {
+TEST_CASE("a bound of mass scaling holds and is reported", "[core][mass_scaling]") {
   const double as_it_is = Scaled(1e-12).stable_step();
   const Scaled scaled(3.0 * as_it_is, 4.0);
   CHECK(scaled.model.mass.row(0).sum() == Approx(thick_mass + 4.0 * thin_mass));

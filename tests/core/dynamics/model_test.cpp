@@ -28,7 +28,7 @@ TEST_CASE("elements on the nodes of others are warned about by block and id", "[
         "1 element has the nodes of other elements, element 20 of block_1 those of element 10 of block_1\n");
 }
 
-TEST_CASE("midside nodes that one side of a face has alone are told", "[core][model]") {
+TEST_CASE("midside nodes that one side of a face has alone are reported", "[core][model]") {
   MeshBuilder builder;
   builder.add_ten_node_tets({.id = 1, .size = {1, 1, 1}});
   SimulationDefinition definition = steel_definition("block_1");

@@ -91,7 +91,7 @@ TEST_CASE("masses and inertias that are no numbers are refused with the first el
   block.mass[0](0) = std::numeric_limits<double>::quiet_NaN();
   CHECK(said(block) ==
         "error: block_4: element 7 is too heavy to move: mass or inertia is no finite number" + hint);
-  // What fills the last batch up counts nowhere; wrong properties are told alone.
+  // What fills the last batch up counts nowhere; wrong properties are reported alone.
   block = sound;
   block.mass[0](3) = -1.0;
   CHECK(said(block) == "");

@@ -80,7 +80,7 @@ TEST_CASE("ten-node tetrahedra are composite, by default, by a solid and by a to
         "block_1: there is no TETRA10 with the formulation selective_deviatoric\n");
 }
 
-TEST_CASE("options of a solid section that are not supported are told", "[core][model]") {
+TEST_CASE("options of a solid section that are not supported are reported", "[core][model]") {
   const Mesh hexes = MeshBuilder().add_hexes({}).build();
   SimulationDefinition definition = steel_definition("block_1");
   definition.finite_element_models[0].block_parameters[0].section = deck_name("s");
@@ -96,7 +96,7 @@ TEST_CASE("options of a solid section that are not supported are told", "[core][
         "block_1 has elements of type HEX8, but its section 's' is not a SOLID SECTION\n");
 }
 
-TEST_CASE("sections that are not for a shape, and effects that do not exist, are told", "[core][model]") {
+TEST_CASE("sections that are not for a shape, and effects that do not exist, are reported", "[core][model]") {
   SimulationDefinition definition = steel_definition("block_1");
   BlockParameters& parameters = definition.finite_element_models[0].block_parameters[0];
   parameters.section = deck_name("s");

@@ -71,7 +71,7 @@ TEST_CASE("a beam has the area of its shape", "[core][beams]") {
   CHECK(setup_of(beam, 0).messages == "error: block_1: its beam section needs HEIGHT\n");
 }
 
-TEST_CASE("sizes that lack or are wrong are told with the element's id", "[core][beams]") {
+TEST_CASE("sizes that lack or are wrong are reported with the element's id", "[core][beams]") {
   CHECK(setup_of(TrussSection{}, 3).messages ==
         "error: block_4 has no area: neither a section nor an attribute on the mesh\n");
   CHECK(setup_of(TrussSection{}, 0, thin_blocks(-0.2)).messages ==
@@ -82,7 +82,7 @@ TEST_CASE("sizes that lack or are wrong are told with the element's id", "[core]
         "error: block_1: the area of its element 32 is nan\n");
 }
 
-TEST_CASE("sections that are not for lines, particles or the shape are told", "[core][beams]") {
+TEST_CASE("sections that are not for lines, particles or the shape are reported", "[core][beams]") {
   CHECK(setup_of(std::nullopt, 0).messages ==
         "error: block_1 has elements of type BAR2, which need a BEAM, TRUSS, SPRING or DAMPER SECTION\n");
   CHECK(setup_of(ShellSection{}, 1).messages ==

@@ -64,7 +64,7 @@ TEST_CASE("lines that are no points are refused", "[core][function]") {
         "a.i:100:1: error: the function 'f' of type constant needs one value, found 0\n");
 }
 
-TEST_CASE("what is wrong in an expression is told at its deck column", "[core][function]") {
+TEST_CASE("what is wrong in an expression is reported at its deck column", "[core][function]") {
   CHECK(problems_of(analytic_function("1 + sine(x)")) ==
         "a.i:1:6: error: the function 'f': unknown function 'sine'; did you mean 'sin'?\n");
   CHECK(problems_of(analytic_function("2 * (x")) ==

@@ -88,7 +88,7 @@ TEST_CASE("a pressure may be an analytic function", "[core][interface_laws][pres
   CHECK(made.law->slope(0.01) == Approx(5e5 * std::exp(0.5)).epsilon(0.05));
 }
 
-TEST_CASE("what is no pressure is told", "[core][interface_laws][pressure]") {
+TEST_CASE("what is no pressure is reported", "[core][interface_laws][pressure]") {
   CHECK(Made({{0.0, 0.0}, {0.01, 200.0}, {0.02, 100.0}}).text() == "the pressure function 'f' falls");
   CHECK(Made({{0.0, 0.0}, {0.01, 200.0}, {0.01, 300.0}}).text() == "the pressure function 'f' jumps at 0.01");
   CHECK(Made({{0.0, 5.0}, {0.01, 200.0}}).text() ==

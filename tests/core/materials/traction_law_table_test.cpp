@@ -54,7 +54,7 @@ TEST_CASE("a trapezoid is made of its parameters", "[core][materials]") {
   CHECK(make_traction_law(cohesive_model(0.5, 0.5), diagnostics));  // a triangle
 }
 
-TEST_CASE("what makes no traction law is told at the model", "[core][materials]") {
+TEST_CASE("what makes no traction law is reported at the model", "[core][materials]") {
   CHECK(refusal_of_model(cohesive_model(0.5, 0.4)) ==
         "error: model 'Tvergaard_Hutchinson': 0 < LAMBDA_1 <= LAMBDA_2 < 1 must hold, found 0.5 and 0.4\n");
   CHECK(refusal_of_model(cohesive_model(0.5, 1.0)) ==

@@ -24,7 +24,7 @@ TEST_CASE("a sound mesh is not warned of, nor an empty one", "[core][mesh]") {
   CHECK(warnings_of(Mesh()) == "");
 }
 
-TEST_CASE("elements on the nodes of others are told by their ids, one or several", "[core][mesh]") {
+TEST_CASE("elements on the nodes of others are reported by their ids, one or several", "[core][mesh]") {
   const std::string end =
       "; both carry load, and what they share is no outer face that others could meet "
       "[coincident-elements]\n";
@@ -45,7 +45,7 @@ TEST_CASE("elements on the nodes of others are told by their ids, one or several
             end);
 }
 
-TEST_CASE("faces of six nodes on others are told by the ids of the elements", "[core][mesh]") {
+TEST_CASE("faces of six nodes on others are reported by the ids of the elements", "[core][mesh]") {
   MeshBuilder builder;
   builder.add_ten_node_tets({.id = 1}).add_tets({.id = 2, .origin = {1, 0, 0}});
   std::vector<std::int64_t> ids;
@@ -60,7 +60,7 @@ TEST_CASE("faces of six nodes on others are told by the ids of the elements", "[
       "them [midside-nodes]\n"));
 }
 
-TEST_CASE("an element that spans the model is told with its size and the usual one", "[core][mesh]") {
+TEST_CASE("an element that spans the model is reported with its size and the usual one", "[core][mesh]") {
   MeshParts parts = MeshBuilder().add_hexes({.id = 1, .cells = {60, 1, 1}, .size = {60, 1, 1}}).parts();
   parts.coordinates(0, 0) = 45.0;  // a corner of the first element alone, which reaches from 0 to there
   CHECK(warnings_of(Mesh(parts)) ==

@@ -36,7 +36,7 @@ TEST_CASE("a node tells its elements of all blocks, ascending", "[core][mesh]") 
   CHECK(n == 2 * 8 + 2);
 }
 
-TEST_CASE("an element that names a node twice is told once", "[core][mesh]") {
+TEST_CASE("an element that names a node twice is reported once", "[core][mesh]") {
   MeshBuilder builder;
   for (int i = 0; i < 6; ++i) builder.add_node({double(i), 0, 0});
   builder.add_block(1, "", Shape::hex8, {0, 1, 2, 2, 3, 4, 5, 5});

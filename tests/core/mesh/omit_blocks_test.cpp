@@ -64,7 +64,7 @@ TEST_CASE("blocks may be omitted by their default names, several at once", "[cor
   CHECK(mesh.n_nodes() == 8);
 }
 
-TEST_CASE("what cannot be omitted is told with the nearest name", "[core][mesh]") {
+TEST_CASE("what cannot be omitted is reported with the nearest name", "[core][mesh]") {
   Diagnostics diagnostics;
   omit_blocks(omitting({"midle"}), row_of_boxes(), diagnostics);
   CHECK(messages(diagnostics) ==

@@ -19,7 +19,7 @@ constexpr std::array<std::string_view, 2> of_motion{"velocity", "displacement"};
 constexpr std::array groups{OutputGroup{"motion", FieldLocation::node, of_motion, "How nodes move"}};
 constexpr std::array foreign{ForeignVariable{"u", "displacement"}};
 
-/// The names that requests expand to, and what is told.
+/// The names that requests expand to, and what is reported.
 std::string expanded(const VariableRequest& asked) {
   const SampleRun run;
   const OutputVariables variables(run.model, {}, {groups, foreign});
@@ -27,7 +27,7 @@ std::string expanded(const VariableRequest& asked) {
   std::string text;
   for (const VariableRequest& one : expand_groups(variables, std::span(&asked, 1), diagnostics))
     text += output_name(one) + one.variable.component + " ";
-  for (const Diagnostic& told : diagnostics.all()) text += told.id;
+  for (const Diagnostic& reported : diagnostics.all()) text += reported.id;
   return text;
 }
 

@@ -68,7 +68,7 @@ TEST_CASE("the entity nearest to a point is found on the undeformed mesh", "[cor
   CHECK(evaluate_all(found.fields, run.context()) == std::vector<double>{9, 0, 0, 3, 0});
 }
 
-TEST_CASE("equal names are told apart by the entities", "[core][output]") {
+TEST_CASE("equal names are distinguished by the entities", "[core][output]") {
   const SampleRun run;
   const VariableRequest v = request(L::nodal, "velocity", "x");
   const Outcome found = ask(run, {at(v, 1001), at(v, 1002), at(v, 1002)});

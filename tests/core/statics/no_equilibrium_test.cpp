@@ -19,7 +19,7 @@ CgReport failed_search(double residual, double reference) {
 
 }  // namespace
 
-TEST_CASE("an imbalance is told with its size and place", "[core][statics]") {
+TEST_CASE("an imbalance is reported with its size and place", "[core][statics]") {
   const CappedCube cube;
   const auto describe = [&](Eigen::Index at, double residual, double reference) {
     Eigen::VectorXd forces = Eigen::VectorXd::Zero(cube.problem->size());

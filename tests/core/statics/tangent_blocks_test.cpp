@@ -72,7 +72,7 @@ TEST_CASE("blocks between nodes that share no element come beside those of the m
   CHECK((dense_of(blocks.take_symmetric(true)) - symmetric).norm() < 1e-14 * symmetric.norm());
 }
 
-TEST_CASE("shares of their stiffness hold nodes to the ground, and are told", "[core][statics]") {
+TEST_CASE("shares of their stiffness hold nodes to the ground, and are reported", "[core][statics]") {
   StaticCube cube;
   const NodeGraph graph = graph_of(cube);
   const Eigen::VectorXd still = Eigen::VectorXd::Zero(cube.problem->size());

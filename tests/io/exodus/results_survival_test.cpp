@@ -84,7 +84,7 @@ TEST_CASE("a killed run leaves the steps that it has written", "[io][results]") 
     const std::size_t n_finished = write_until_killed(path, results, n_steps);
     CHECK(n_finished >= n_steps);
     const std::size_t n_found = read_times(NetcdfFile(path)).size();
-    // The last step may have been finished and not yet told.
+    // The last step may have been finished and not yet reported.
     CHECK((n_found == n_finished || n_found == n_finished + 1));
     check_steps(path, results, n_found);
   }

@@ -63,7 +63,7 @@ TEST_CASE("numbers are whole words, with a sign at most", "[io][import]") {
   }
 }
 
-TEST_CASE("a word that is not there is told with the line at which the file ends", "[io][import]") {
+TEST_CASE("a word that is not there is reported with the line at which the file ends", "[io][import]") {
   WordsOf text("one\ntwo\n\n");
   text.words.word();
   CHECK(text.words.word() == "two");

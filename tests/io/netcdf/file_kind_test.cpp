@@ -41,7 +41,7 @@ TEST_CASE("what is no mesh is called what it is", "[io][file]") {
         "damaged or truncated HDF5 file (NetCDF: HDF error)");
 }
 
-TEST_CASE("what cannot be opened is told apart", "[io][file]") {
+TEST_CASE("what cannot be opened is distinguished", "[io][file]") {
   const TemporaryDirectory directory;
   const auto message = [&](const std::string& path) -> std::string {
     try {

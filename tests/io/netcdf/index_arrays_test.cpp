@@ -57,7 +57,7 @@ TEST_CASE("the first number out of range is found, wherever it is", "[io][index]
   CHECK(found.bad->value == value);
 }
 
-TEST_CASE("a number beyond 32 bits is found and told", "[io][index]") {
+TEST_CASE("a number beyond 32 bits is found and reported", "[io][index]") {
   std::vector<std::uint32_t> positions;
   const IndexArray found = round_trip({1, 2, 4294967297LL, 0}, 1, 5, positions, NC_INT64);
   REQUIRE(found.bad);

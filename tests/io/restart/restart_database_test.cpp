@@ -47,7 +47,7 @@ TEST_CASE("a database is found with the latest state first and without files of 
   CHECK(unusable.empty());
 }
 
-TEST_CASE("a state whose head is cut is told of", "[io][restart]") {
+TEST_CASE("a state whose head is cut is reported", "[io][restart]") {
   const TemporaryDirectory directory;
   write_bytes(directory.file("a.rsout.1"), "contactsim restart 1\n");
   std::vector<std::string> unusable;

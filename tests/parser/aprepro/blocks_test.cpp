@@ -108,7 +108,7 @@ TEST_CASE("a line goes on behind an include only where the included text has no 
   CHECK(expanded_text("{include(open.i)} y\n", files) == "x y\n");
 }
 
-TEST_CASE("an include of a number, or by a name that holds none, is told", "[parser][aprepro]") {
+TEST_CASE("an include of a number, or by a name that holds none, is reported", "[parser][aprepro]") {
   CHECK(expansion_problems("{include(\"a\" < \"b\")}\n") ==
         "a.i:1:10: error: an include takes a file name, found a number\n");
   CHECK(expanded_text("{{f = 3}}{include(f)}\n", {{"f", "the file f\n"}}) == "the file f\n");

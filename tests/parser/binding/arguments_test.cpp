@@ -55,7 +55,7 @@ TEST_CASE("what is no finite number is refused", "[parser][arguments]") {
   }
 }
 
-TEST_CASE("a line that ends too early is told at its command", "[parser][arguments]") {
+TEST_CASE("a line that ends too early is reported at its command", "[parser][arguments]") {
   CHECK(said("size =", read_real) ==
         "a.i:1:1: error: expected a number after 'size', found the end of the line\n");
   CHECK(said("size", [](Arguments& a) { a.names(); }) ==
@@ -138,7 +138,7 @@ TEST_CASE("the rest of a line is taken as it is written", "[parser][arguments]")
   CHECK(all == "is it big");
 }
 
-TEST_CASE("a fixed word that is missing is told with what stands there", "[parser][arguments]") {
+TEST_CASE("a fixed word that is missing is reported with what stands there", "[parser][arguments]") {
   CHECK(said("size 3 annd 4", [](Arguments& a) {
           a.real();
           a.expect("and");

@@ -51,13 +51,13 @@ TEST_CASE("a block whose rows are all given is nothing to tell", "[parser][table
   CHECK(said_of_lines("mass = 1\nnote\nnote\ngreen\n") == "");
 }
 
-TEST_CASE("what is required or one of a choice and not given is told at the block", "[parser][table]") {
+TEST_CASE("what is required or one of a choice and not given is reported at the block", "[parser][table]") {
   CHECK(said_of_lines("red\n") == "a.i:1:1: error: the car has no MASS; add MASS = <real>\n");
   CHECK(said_of_lines("mass = 1\n") == "a.i:1:1: error: the car has no colour; give it RED or GREEN\n");
   CHECK(said_of_lines("mass = 1\n", {"", "has two colours"}) == "");
 }
 
-TEST_CASE("several of a choice are told at the last, with the first", "[parser][table]") {
+TEST_CASE("several of a choice are reported at the last, with the first", "[parser][table]") {
   CHECK(said_of_lines("green\nmass = 1\nred\n") ==
         "a.i:4:1: error: the car has two colours; keep one of RED and GREEN; the first stands at a.i:2:1\n");
   CHECK(said_of_lines("mass = 1\ngreen\nred\n", {"has no colour", ""}) == "");

@@ -19,7 +19,7 @@ TEST_CASE("names are found in any case", "[parser][names]") {
   CHECK(diagnostics.empty());
 }
 
-TEST_CASE("an unknown name is told with the nearest known one", "[parser][names]") {
+TEST_CASE("an unknown name is reported with the nearest known one", "[parser][names]") {
   KnownNames names("function");
   Diagnostics diagnostics;
   CHECK(names.look_up(name_at("ramp", 1), diagnostics).empty());

@@ -17,7 +17,7 @@ std::string problems(const std::string& region_lines) {
 
 }  // namespace
 
-TEST_CASE("friction in an interaction is told to be a model", "[parser][hints]") {
+TEST_CASE("friction in an interaction is reported to be a model", "[parser][hints]") {
   for (const char* line : {"friction = 0.3", "friction coefficient = 0.3"}) {
     const std::string text =
         problems("begin contact definition\nskin all blocks = on\nbegin interaction defaults\n" +
@@ -27,7 +27,7 @@ TEST_CASE("friction in an interaction is told to be a model", "[parser][hints]")
   }
 }
 
-TEST_CASE("words of conditions are told what says them here", "[parser][hints]") {
+TEST_CASE("words of conditions are reported what says them here", "[parser][hints]") {
   CHECK_THAT(problems("begin initial velocity\nblock = b\ncomponent = z\nvelocity = -5\nend\n"),
              Contains("unknown command 'velocity = -5'") && Contains("MAGNITUDE says it"));
   CHECK_THAT(problems("begin prescribed displacement\nblock = b\ncomponent = x\nvalue = 1\nend\n"),
@@ -37,12 +37,12 @@ TEST_CASE("words of conditions are told what says them here", "[parser][hints]")
       Contains("NODAL <variable> or ELEMENT <variable>"));
 }
 
-TEST_CASE("a line of an inner block is told where it belongs", "[parser][hints]") {
+TEST_CASE("a line of an inner block is reported where it belongs", "[parser][hints]") {
   CHECK_THAT(problems("begin contact definition\ngeneral contact = on\nend\n"),
              Contains("it belongs into BEGIN INTERACTION DEFAULTS"));
 }
 
-TEST_CASE("a block is told where it belongs, and its whole name", "[parser][hints]") {
+TEST_CASE("a block is reported where it belongs, and its whole name", "[parser][hints]") {
   CHECK_THAT(problems("begin interaction defaults\ngeneral contact = on\nend\n"),
              Contains("unknown block 'interaction defaults' in 'presto region r'; it belongs into BEGIN "
                       "CONTACT DEFINITION"));

@@ -163,7 +163,7 @@ TEST_CASE("a command may be given once in each block", "[parser][table]") {
   CHECK(bound("begin wheel a\nradius = 1\nend\nbegin wheel b\nradius = 1\nend\n").said == "");
 }
 
-TEST_CASE("unknown commands and blocks are told with the nearest known one", "[parser][table]") {
+TEST_CASE("unknown commands and blocks are reported with the nearest known one", "[parser][table]") {
   CHECK(bound("mas = 900\n").said ==
         "a.i:2:1: error: unknown command 'mas = 900' in 'car'; did you mean 'mass'?\n");
   CHECK(bound("begin weel front\nend\n").said ==
@@ -196,7 +196,7 @@ TEST_CASE("a lenient reading passes refused and unknown commands over", "[parser
         "[deck-unknown]\n");
 }
 
-TEST_CASE("problems in the lines of what waits for use are told as warnings", "[parser][table]") {
+TEST_CASE("problems in the lines of what waits for use are reported as warnings", "[parser][table]") {
   const std::string lines =
       "mass = 1\npetrol = 1\nbegin trailer wheel Front\n  radius = 0\nend\nbegin trailer wheel\nend\n";
   CHECK(
@@ -209,7 +209,7 @@ TEST_CASE("problems in the lines of what waits for use are told as warnings", "[
         "a.i:7:15: error: the block 'wheel' needs a name\n");
 }
 
-TEST_CASE("what is required and not given is told, and so is a choice", "[parser][table]") {
+TEST_CASE("what is required and not given is reported, and so is a choice", "[parser][table]") {
   CHECK(checked("mass = 1\npetrol = 1\n") == "");
   CHECK(bound("").said == "");  // only where it is noted
   CHECK(checked("") ==
@@ -255,7 +255,7 @@ TEST_CASE("rows can be lifted into what holds their target", "[parser][rows]") {
   CHECK(car.spare.spokes == std::vector<double>{3.0});
 }
 
-TEST_CASE("the names in a block's title are told apart", "[parser][table]") {
+TEST_CASE("the names in a block's title are distinguished", "[parser][table]") {
   const Block deck = block_of("begin parameters_for block a, b c\nend\n");
   const auto names = block_names(std::get<Block>(deck.items.at(0).value), "parameters for block");
   REQUIRE(names.size() == 3);

@@ -81,7 +81,7 @@ TEST_CASE("a part that is there once takes the lines of all its blocks", "[parse
   CHECK(bound_plane("span = 5\n").plane.tail.span == 5.0);  // a row that was lifted
 }
 
-TEST_CASE("a block that must have a name and has none is told at its last word", "[parser][rows]") {
+TEST_CASE("a block that must have a name and has none is reported at its last word", "[parser][rows]") {
   CHECK(bound_plane("begin wing\nspan = 2\nend\n").said == "a.i:2:7: error: the block 'wing' needs a name\n");
   CHECK(bound_plane("begin wing\nend\n").plane.wings.empty());
 }

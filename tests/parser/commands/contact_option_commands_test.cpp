@@ -55,7 +55,7 @@ TEST_CASE("dash and enforcement options are bound", "[parser][contact]") {
   CHECK(contact.enforcement.penalty_scale == 0.5);
 }
 
-TEST_CASE("options of other algorithms are told to have no effect", "[parser][contact]") {
+TEST_CASE("options of other algorithms are reported to have no effect", "[parser][contact]") {
   CHECK(bound_contact("begin search options\nglobal search increment = 5\nend\n"
                       "begin dash options\naccuracy level = 2\nsubdivision level = 1\nend\n"
                       "begin enforcement options\n"

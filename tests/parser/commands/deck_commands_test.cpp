@@ -49,7 +49,7 @@ TEST_CASE("a fragment of contact is bound into a region without a name", "[parse
   }
 }
 
-TEST_CASE("a second BEGIN SIERRA is told with the place of the first", "[parser][deck]") {
+TEST_CASE("a second BEGIN SIERRA is reported with the place of the first", "[parser][deck]") {
   CHECK(parsed("begin sierra a\nend\nbegin sierra b\nend\n")
             .messages.find(
                 "a.i:3:1: error: a second BEGIN SIERRA in one deck; the first stands at a.i:1:1\n") !=

@@ -37,7 +37,7 @@ TEST_CASE("an unknown friction model is an error at the reference", "[parser][fr
         "FRICTION MODEL <name>, say\n");
 }
 
-TEST_CASE("a material named as friction model is told apart", "[parser][friction]") {
+TEST_CASE("a material named as friction model is distinguished", "[parser][friction]") {
   CHECK(use_of("steel", "") ==
         "a.i:5:18: error: 'steel' is a material, not a friction model; cohesive materials as "
         "friction models are not supported\n");

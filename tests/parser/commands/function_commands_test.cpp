@@ -88,7 +88,7 @@ TEST_CASE("a piecewise constant function may take the left value at a jump", "[p
   CHECK(simulation.functions.at(0).at_discontinuity == DiscontinuitySide::left);
 }
 
-TEST_CASE("what a used function lacks is told", "[parser][function]") {
+TEST_CASE("what a used function lacks is reported", "[parser][function]") {
   CHECK(using_function("").messages ==
         "a.i:2:16: error: the function 'f' has no TYPE; add TYPE = {piecewise linear|piecewise "
         "constant|constant|analytic|piecewise analytic|piecewise multivariate|multicolumn piecewise "
@@ -101,7 +101,7 @@ TEST_CASE("what a used function lacks is told", "[parser][function]") {
         "a.i:2:16: error: the function 'f' of type constant needs one value, found 2\n");
 }
 
-TEST_CASE("a table whose abscissa decreases is told at its line", "[parser][function]") {
+TEST_CASE("a table whose abscissa decreases is reported at its line", "[parser][function]") {
   CHECK(
       using_function("  type = piecewise linear\n  begin values\n    0 0\n    2 1\n    1 1\n    0 1\n  end\n")
           .messages == "a.i:7:5: error: the function 'f' has an abscissa that decreases from 2 to 1\n");
@@ -109,7 +109,7 @@ TEST_CASE("a table whose abscissa decreases is told at its line", "[parser][func
             .messages == "a.i:6:5: error: the function 'f' needs two numbers on each line\n");
 }
 
-TEST_CASE("a mistake in an expression is told at its character", "[parser][function]") {
+TEST_CASE("a mistake in an expression is reported at its character", "[parser][function]") {
   CHECK(using_function("  type = analytic\n  evaluate expression = \"2*sqtr(x)\"\n").messages ==
         "a.i:4:28: error: the function 'f': unknown function 'sqtr'; did you mean 'sqrt'?\n");
   CHECK(using_function("  type = analytic\n  evaluate expression is \"x < 1 ? 1 : \\# first\n    t\"\n")
@@ -119,7 +119,7 @@ TEST_CASE("a mistake in an expression is told at its character", "[parser][funct
         "a.i:4:32: error: the function 'f': expected ')' for this '(', found the end of the expression\n");
 }
 
-TEST_CASE("words among the values are told", "[parser][function]") {
+TEST_CASE("words among the values are reported", "[parser][function]") {
   CHECK(using_function("  type = piecewise linear\n  begin values\n    0 0\n    1 one\n  end\n").messages ==
         "a.i:6:7: error: expected a number for '1', found 'one'\n");
   CHECK(using_function("  type = piecewise linear\n  begin values\n    0 0\n    one 1\n  end\n").messages ==

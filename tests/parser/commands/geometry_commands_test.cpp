@@ -27,7 +27,7 @@ TEST_CASE("points, directions, axes and coordinate systems are bound", "[parser]
   CHECK(simulation.coordinate_systems[1].kind == CoordinateSystemKind::rectangular);
 }
 
-TEST_CASE("mistakes in geometry are told", "[parser][geometry]") {
+TEST_CASE("mistakes in geometry are reported", "[parser][geometry]") {
   CHECK(parsed_sierra("define direction d with vector 0 0 0\n").messages ==
         "a.i:2:32: error: a direction must not be the zero vector\n");
   CHECK(parsed_sierra("define point p with coordinates 1 2\n").messages ==

@@ -118,7 +118,7 @@ TEST_CASE("the lines of adaptive time stepping reach their fields", "[parser][im
   CHECK(adaption.min_multiplier == 1e-12);
 }
 
-TEST_CASE("what implicit lines do not do is told", "[parser][implicit]") {
+TEST_CASE("what implicit lines do not do is reported", "[parser][implicit]") {
   CHECK(with_lines("begin solver\nbegin cg\npreconditioner = elastic\nend\nend\n").messages ==
         "a.i:7:18: warning: the stiffness of each node, by probes, is used in its place; PRECONDITIONER = "
         "PROBE says so [deck-ignored]\n");

@@ -227,7 +227,7 @@ TEST_CASE("mistakes in a model that is not selected are warnings", "[parser][mat
         "nothing uses this definition; did you mean 'yield stress'? [deck-unused]\n");
 }
 
-TEST_CASE("what a used model lacks is told", "[parser][material]") {
+TEST_CASE("what a used model lacks is reported", "[parser][material]") {
   CHECK(using_model("elastic", "density = 1\nbegin parameters for model elastic\nyoungs modulus = 1\nend\n")
             .messages ==
         "a.i:4:28: error: the model 'elastic' of the material 'm' needs two elastic constants, found 1; give "
@@ -252,7 +252,7 @@ TEST_CASE("Poisson's ratio keeps to its range", "[parser][material]") {
       "a.i:6:20: error: 'poissons ratio' must be greater than -1 and less than 0.5, found '0.5'\n");
 }
 
-TEST_CASE("what a material lacks behind a line that cannot be read is not told", "[parser][material]") {
+TEST_CASE("what a material lacks behind a line that cannot be read is not reported", "[parser][material]") {
   CHECK(using_model(
             "elastic",
             "density = -1\nbegin parameters for model elastic\n  youngs modulus = 1\n  poissons ratio = "
@@ -262,13 +262,13 @@ TEST_CASE("what a material lacks behind a line that cannot be read is not told",
         "a.i:6:20: error: 'poissons ratio' must be greater than -1 and less than 0.5, found '-3'\n");
 }
 
-TEST_CASE("a model that the material does not have is told", "[parser][material]") {
+TEST_CASE("a model that the material does not have is reported", "[parser][material]") {
   CHECK(using_model("elastik", "density = 1\nbegin parameters for model elastic\n" + elastic + "end\n")
             .messages ==
         "a.i:12:31: error: unknown model 'elastik' of the material 'm'; did you mean 'elastic'?\n");
 }
 
-TEST_CASE("a model that is defined twice is told", "[parser][material]") {
+TEST_CASE("a model that is defined twice is reported", "[parser][material]") {
   const std::string model = "begin parameters for model elastic\n" + elastic + "end\n";
   CHECK(using_model("elastic", "density = 1\n" + model + model).messages ==
         "a.i:8:28: error: the model 'elastic' of the material 'm' is defined a second time; the first stands "

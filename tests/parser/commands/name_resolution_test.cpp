@@ -58,7 +58,7 @@ TEST_CASE("names may be used before they are defined, in any case", "[parser][na
             .messages == "");
 }
 
-TEST_CASE("each kind of name that is missing is told where it is used", "[parser][names]") {
+TEST_CASE("each kind of name that is missing is reported where it is used", "[parser][names]") {
   CHECK(with_region("begin rigid body rb\nend\n",
                     "begin prescribed velocity\nblock = b\ndirection = dwn\nfunction = rmap\nend\n"
                     "begin prescribed rotation\nrigid body = rc\ncylindrical axis = a\nfunction = f\nend\n")

@@ -63,7 +63,7 @@ TEST_CASE("the other ways to compute variables are bound, in order", "[parser][o
   CHECK(std::get<NodalExtrapolation>(output.variables[5]).name.text == "en");
 }
 
-TEST_CASE("what user output cannot compute is told", "[parser][output]") {
+TEST_CASE("what user output cannot compute is reported", "[parser][output]") {
   CHECK(bound_region(
             "begin user output\ncompute at every time\ncompute element b as nonlocal average of element v\n"
             "compute nodal c as sum of nodal v\ncompute element d as\nend\n")

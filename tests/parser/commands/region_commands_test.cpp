@@ -41,7 +41,7 @@ TEST_CASE("older analytic surfaces are refused with a hint", "[parser][region]")
         "only planes are known: Write BEGIN ANALYTIC OBJECT, TYPE = PLANE\n");
 }
 
-TEST_CASE("an unknown line of a region is told with the nearest known one, and the rest is read",
+TEST_CASE("an unknown line of a region is reported with the nearest known one, and the rest is read",
           "[parser][region]") {
   const BoundRegion bound = bound_region(
       "begin fixd displacement\n node set = n\nend\nbegin gravity\n componet = z\n gravitational constant = "

@@ -45,7 +45,7 @@ TEST_CASE("a rigid body is bound", "[parser][rigid body]") {
   CHECK(body.cylindrical_axis->text == "spin");
 }
 
-TEST_CASE("too few numbers of an inertia are told", "[parser][rigid body]") {
+TEST_CASE("too few numbers of an inertia are reported", "[parser][rigid body]") {
   CHECK(parsed_sierra("begin rigid body rb\n  inertia = 1 2 3\nend\n").messages ==
         "a.i:3:3: error: expected a number after 'inertia', found the end of the line\n");
 }

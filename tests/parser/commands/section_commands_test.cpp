@@ -118,7 +118,7 @@ TEST_CASE("a cohesive section takes its pairs of nodes, a material of tractions 
   const ParameterValues& values = deck.simulation.materials.at(0).models.at(0).values;
   CHECK(values.real("peak traction") == 2.0);
   CHECK(values.real("penetration stiffness multiplier") == 1.0);
-  // What a material lacks is told where a region uses it.
+  // What a material lacks is reported where a region uses it.
   const std::string region =
       "begin presto procedure p\n  begin time control\n    begin time stepping block t\n"
       "      start time = 0\n    end\n    termination time = 1\n  end\n"
@@ -142,7 +142,7 @@ TEST_CASE("a section may make its blocks a rigid body", "[parser][section]") {
   CHECK(deck.simulation.sections.at(0).rigid_body->text == "rb");
 }
 
-TEST_CASE("what is wrong in a used section is told", "[parser][section]") {
+TEST_CASE("what is wrong in a used section is reported", "[parser][section]") {
   CHECK(said_of_used("shell", "  thickness = 0\n  lofting factor = 1.5\n") ==
         "a.i:3:15: error: 'thickness' must be greater than 0, found '0'\n"
         "a.i:4:20: error: 'lofting factor' must be from 0 to 1, found '1.5'\n");

@@ -32,7 +32,7 @@ TEST_CASE("an output scheduler is bound", "[parser][sierra]") {
   CHECK(scheduler.schedule.time_phases.at(0).increment == 1e-3);
 }
 
-TEST_CASE("an END may be partial, and a wrong one is told", "[parser][sierra]") {
+TEST_CASE("an END may be partial, and a wrong one is reported", "[parser][sierra]") {
   CHECK(parsed_sierra("begin function f\nend function\nbegin rigid body b\nend rigid body B\n").messages ==
         "");
   CHECK(

@@ -48,7 +48,7 @@ TEST_CASE("a torus has an axis and the radius of its circle", "[parser][smoothin
   CHECK(bound.contact.interactions[0].pair.smoothing->kind == SmoothingChoice::Kind::off);
 }
 
-TEST_CASE("what a surface smoothing lacks, or says twice, is told", "[parser][smoothing]") {
+TEST_CASE("what a surface smoothing lacks, or says twice, is reported", "[parser][smoothing]") {
   const auto messages = [](const std::string& lines) {
     return contact_name_messages(surfaces + "begin surface smoothing s\n" + lines +
                                  "end\nbegin interaction\nsurfaces = a b\nsmoothing = s\nend\n");

@@ -53,7 +53,7 @@ TEST_CASE("a time control is bound", "[parser][time]") {
   CHECK(second.step_interval == 100);
 }
 
-TEST_CASE("what a time control lacks is told", "[parser][time]") {
+TEST_CASE("what a time control lacks is reported", "[parser][time]") {
   CHECK(with_time_control("").messages ==
         "a.i:3:1: error: the time control has no TIME STEPPING BLOCK; add BEGIN TIME STEPPING BLOCK <name>\n"
         "a.i:3:1: error: the time control has no TERMINATION TIME; add TERMINATION TIME = <real>\n");

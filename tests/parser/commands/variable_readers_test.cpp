@@ -41,7 +41,7 @@ TEST_CASE("a colon or a star stands for all components or points", "[parser][var
   CHECK_FALSE(reference_of("stress(zz,*)").integration_point);
 }
 
-TEST_CASE("a wrong variable is told", "[parser][variable]") {
+TEST_CASE("a wrong variable is reported", "[parser][variable]") {
   CHECK(line_messages("criterion is element value of stress(xx,0) > 1") ==
         "a.i:2:31: error: expected an integration point from 1, found '0'\n");
   CHECK(line_messages("criterion is element value of stress(,1) > 1") ==
@@ -71,7 +71,7 @@ TEST_CASE("every comparison is read", "[parser][variable]") {
   CHECK(criterion.test.value == 0.5);
 }
 
-TEST_CASE("a test without comparison or value is told", "[parser][variable]") {
+TEST_CASE("a test without comparison or value is reported", "[parser][variable]") {
   CHECK(line_messages("criterion is element value of eqps 0.5") ==
         "a.i:2:36: error: expected one of <, <=, =, >=, > after 'eqps', found '0.5'\n");
   CHECK(line_messages("criterion is element value of eqps >") ==

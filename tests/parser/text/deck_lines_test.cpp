@@ -60,7 +60,7 @@ TEST_CASE("an included file stands in the place of its line", "[parser][lines]")
   CHECK(outlined("includefile b.i\n", {{"b.i", ""}}) == "");
 }
 
-TEST_CASE("an include that cannot be read is told at its name, and passed over", "[parser][lines]") {
+TEST_CASE("an include that cannot be read is reported at its name, and passed over", "[parser][lines]") {
   CHECK(outlined("includefile none.i\nx\n") ==
         "x @a.i:2:1\na.i:1:13: error: cannot include 'none.i': there is no such file\n");
   CHECK(outlined("includefile ''\n") == "a.i:1:13: error: cannot include '': there is no such file\n");

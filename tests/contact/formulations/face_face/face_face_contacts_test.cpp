@@ -35,7 +35,7 @@ TEST_CASE("contact begins up to half an element deep, and goes on however deep i
   CHECK(!fast.find().empty());
 }
 
-TEST_CASE("faces that will touch soon are told of without a force", "[contact][face_face_contacts]") {
+TEST_CASE("faces that will touch soon are reported without a force", "[contact][face_face_contacts]") {
   CubeOnPlate parts;
   parts.move_cube({0, 0, 0.029}, false);
   CHECK(parts.find().empty());

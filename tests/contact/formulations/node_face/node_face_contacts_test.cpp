@@ -44,7 +44,7 @@ TEST_CASE("a node apart from a face gets no force, nor one beyond its edge",
   CHECK(tolerant.put({-0.3, 0.7, -0.01}, true).empty());
 }
 
-TEST_CASE("a node that comes near is told of before it touches", "[contact][node_face_contacts]") {
+TEST_CASE("a node that comes near is reported before it touches", "[contact][node_face_contacts]") {
   TipOnFloor parts;
   parts.put({0.6, 0.7, 0.03});
   const auto points = parts.put({0.6, 0.7, 0.015}, true);

@@ -43,7 +43,7 @@ TEST_CASE("modes that depend on others have no column", "[core][statics]") {
   CHECK(nothing.isZero(0.0));
 }
 
-TEST_CASE("nearly parallel modes are told apart all the same", "[core][statics]") {
+TEST_CASE("nearly parallel modes are distinguished all the same", "[core][statics]") {
   Modes modes = make_rigid_modes(scattered_places(5));
   modes.col(1) = modes.col(0) + 1e-6 * modes.col(1);
   orthonormalise(modes);
