@@ -59,7 +59,7 @@ void add_mesh(const Options& options, const ReportDraft& draft, ReportRun& run) 
   mesh = with_cohesive_blocks(region.definition, region.region, std::move(*mesh));
   try {
     run.mesh = make_report_mesh(path, *mesh, region);
-  } catch (const DeckError&) {  // which the run has told
+  } catch (const DeckError&) {  // which the run has reported
     run.mesh = make_report_mesh(path, *mesh, std::nullopt);
   }
 }

@@ -6,7 +6,7 @@
 namespace contactsim {
 
 /// Compares what the options name, and prints the differences. Returns the exit code: 0 without differences,
-/// 1 with some, 2 when a file cannot be read, which is told on standard error. Throws nothing.
+/// 1 with some, 2 when a file cannot be read, which is reported on standard error. Throws nothing.
 int run_diff(const DiffOptions& options);
 
 }  // namespace contactsim

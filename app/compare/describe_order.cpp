@@ -11,8 +11,8 @@ namespace contactsim {
 
 namespace {
 
-constexpr std::size_t longest_list = 6;  // of names that are told as they are
-constexpr std::size_t max_moves = 10;    // that are told one by one
+constexpr std::size_t longest_list = 6;  // of names that are listed as they are
+constexpr std::size_t max_moves = 10;    // that are listed one by one
 
 /// One order and the places of its things in another, between the first and the last thing that moves.
 class Reordering {
@@ -53,7 +53,7 @@ class Reordering {
     for (std::size_t i = 0; i < n; ++i) {
       if (places_[begin_ + i] != begin_ + (first + i) % n) return std::nullopt;
     }
-    // Either the last `first` go to the front or the others to the end: told of the fewer.
+    // Either the last `first` go to the front or the others to the end: the fewer are listed.
     return 2 * first <= n ? tell_shift(end_ - first, first) : tell_shift(begin_, n - first);
   }
 

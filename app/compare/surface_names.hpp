@@ -11,7 +11,7 @@
 namespace contactsim {
 
 /// Which surface of one table is which of another. By name, but for those that have changed their names or
-/// exchanged them, which are told.
+/// exchanged them, which are reported.
 ///   same  for each surface of the first table the one of the second that is the same whatever its name
 /// Returns for each surface of the first its partner in the second.
 std::vector<std::optional<std::size_t>> match_surfaces(const OwnershipTable& first,

@@ -5,8 +5,8 @@
 
 namespace contactsim {
 
-/// A line of INTERACTION DEFAULTS that acts on some pairs is not told for the others: the first of the pairs
-/// that have it, if it acts on none; else null.
+/// A line of INTERACTION DEFAULTS that acts on some pairs is not reported for the others: the first of the
+/// pairs that have it, if it acts on none; else null.
 template <class Has, class Acts>
 const SurfacePair* find_idle_default(const ContactModel& contact, const Has& has, const Acts& acts) {
   const SurfacePair* first = nullptr;

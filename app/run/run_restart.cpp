@@ -82,7 +82,7 @@ double RunRestart::distance_to(const StoredState& state) const {
 
 std::optional<StoredState> RunRestart::find_best() const {
   if (!resumes_) return std::nullopt;
-  Diagnostics discarded;  // told by find_state()
+  Diagnostics discarded;  // reported by find_state()
   const std::vector<StoredState> states = stored_states(discarded);
   return states.empty() ? std::nullopt : std::optional(states.front());
 }

@@ -36,7 +36,7 @@ void Simulation::notify(RunEvent event) {
   });
 }
 
-/// What throws SolveError is told to the observers first.
+/// Observers are notified of what throws SolveError first.
 template <class Work>
 void Simulation::try_to(const Work& work) {
   try {

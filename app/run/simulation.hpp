@@ -29,7 +29,7 @@ class Simulation;
 struct Interpenetration;
 struct UntiedPart;
 
-/// What observers are told of.
+/// What observers are notified of.
 enum class RunEvent : std::uint8_t {
   restart_sought,  ///< restart() knows whether there is a state to go on from
   begun,           ///< the forces of the start are known
@@ -67,7 +67,7 @@ class Simulation {
   Simulation(const Simulation&) = delete;
   Simulation& operator=(const Simulation&) = delete;
 
-  /// Has an observer told of all that comes, after those that are there.
+  /// Notifies an observer of all that comes, after those that are there.
   void observe(Observer observer);
 
   /// What the run would come to, found by its start and by steps of at most a second; it says what a run's

@@ -174,9 +174,9 @@ bool Simulation::Parts::is_settling() const {
 
 /// Warns of contact of load steps that explicit contact does not press with by itself.
 void Simulation::Parts::warn_of_preload() {
-  constexpr double told = 0.01;
+  constexpr double least_share = 0.01;
   const PreloadForces& preload = contact->force().preload_forces();
-  if (!(preload.share_of_before() > told)) return;
+  if (!(preload.share_of_before() > least_share)) return;
   const auto is_elastic = [](const SurfacePair& pair) {
     return pair.enforcement == Enforcement::penalty && row_of(*pair.law).holding == ContactLaw::sliding;
   };

@@ -49,7 +49,7 @@ std::string pair_names(const SurfacePair& pair, const ContactModel& contact) {
 
 void warn_of_pairs(const ContactForce& force, const ContactModel& contact, Diagnostics& warnings) {
   constexpr const char* id = "smoothing-without-effect";
-  std::set<std::string> told;
+  std::set<std::string> reported;
   for (const PairIndex i : indices(contact.pairs)) {
     const SurfacePair& pair = contact.pairs[i];
     if (!pair.smoothing) continue;
@@ -63,7 +63,7 @@ void warn_of_pairs(const ContactForce& force, const ContactModel& contact, Diagn
     } else {
       continue;
     }
-    if (told.insert(to_string(pair.location)).second)
+    if (reported.insert(to_string(pair.location)).second)
       warnings.add_warning(id, pair.location, pair_names(pair, contact) + ": " + text, hint);
   }
 }
@@ -112,7 +112,7 @@ void warn_of_smoothings(const ContactForce& force, const ContactModel& contact, 
 void warn_of_strain(const ContactForce& force, const ContactModel& contact, const Mesh& mesh,
                     const State& state, Diagnostics& warnings) {
   const ContactMesh& contact_mesh = force.contact_mesh();
-  std::set<SurfaceIndex> told;
+  std::set<SurfaceIndex> reported;
   for (std::uint32_t s = 0; s < contact.smoothings.size(); ++s) {
     for (const SurfaceIndex i : indices(contact.surfaces.surfaces)) {
       double strain = 0.0;
@@ -125,7 +125,7 @@ void warn_of_strain(const ContactForce& force, const ContactModel& contact, cons
           strain = std::max(strain, std::abs(length(state.coordinates) / length(mesh.coordinates()) - 1.0));
         }
       });
-      if (!(strain > large_strain) || !told.insert(i).second) continue;
+      if (!(strain > large_strain) || !reported.insert(i).second) continue;
       warnings.add_warning(
           "smoothing-strained", {},
           fmt::format(
