@@ -42,7 +42,7 @@ class WorkInMemory {
 };
 
 /// Does some work and returns what it returns. Where memory runs out in it throws MemoryError; of work inside
-/// work the innermost is told.
+/// work the innermost is reported.
 ///   doing  completes "while": "reading the mesh plate.g"
 template <class Work>
 auto tell_lack_of_memory(std::string_view doing, const Work& work) {

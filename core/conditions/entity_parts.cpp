@@ -93,7 +93,7 @@ void PartFinder::find_all_blocks(std::vector<NamedEntity>& found) const {
   }
 }
 
-/// Stands for its blocks and node sets. The binder has told of names that no rigid body has.
+/// Stands for its blocks and node sets. The binder has reported names that no rigid body has.
 void PartFinder::find_rigid_body(const DeckName& item, std::vector<NamedEntity>& found) const {
   for (const RigidBodyDefinition& body : scope_.definition.rigid_bodies) {
     if (fold(body.name.text) != fold(item.text)) continue;

@@ -51,7 +51,7 @@ void check_criteria(const ElementDeath& death, Diagnostics& diagnostics) {
                         "CRITERION IS ..., or DEATH ON INVERSION = ON");
 }
 
-/// Of blocks that could not be made, which is told already.
+/// Of blocks that could not be made, which is reported already.
 void leave_out_unmade(const Model& model, std::vector<ElementIndex>& elements) {
   std::erase_if(elements, [&](ElementIndex element) {
     return std::ranges::none_of(model.blocks, [&](const ModelBlock& block) {

@@ -81,7 +81,7 @@ struct PairSettings {
   std::optional<double> capture_tolerance;             ///< gap over which what holds does so, >= 0 [length]
   std::optional<bool> separation;                      ///< whether what has touched may part; program: yes
   std::optional<ShellSides> sides;                ///< of SIDE A's shells, without sides of all; program: both
-  std::optional<double> tracking_distance;        ///< gaps up to it are told in the output, >= 0 [length]
+  std::optional<double> tracking_distance;        ///< gaps up to it are output, >= 0 [length]
   std::optional<SearchDistance> search_distance;  ///< program: everything is looked at
   GapSettings gap;
   std::optional<GapClosureTolerance> gap_closure;     ///< program: none is closed

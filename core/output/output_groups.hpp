@@ -34,7 +34,7 @@ struct OutputNames {
 };
 
 /// The requests with each group replaced by requests for its members, at the group's place. A group has no
-/// components and takes no alias: what asks for one is told ("output-group").
+/// components and takes no alias: what asks for one is reported ("output-group").
 std::vector<VariableRequest> expand_groups(const OutputVariables& variables,
                                            std::span<const VariableRequest> requests,
                                            Diagnostics& diagnostics);

@@ -36,7 +36,7 @@ enum class ColourDistance : std::uint8_t {
   two_elements  ///< nor has a neighbour that another has
 };
 
-/// Groups of nodes that can be moved at once and whose effects can be told apart.
+/// Groups of nodes that can be moved at once and whose effects can be distinguished.
 struct NodeColours {
   std::vector<std::uint32_t> colour;  ///< [n_nodes]
   std::uint32_t n_colours = 0;        ///< nodes without elements have the colour n_colours

@@ -29,7 +29,7 @@ struct SurfaceViscosity {
   }
 };
 
-/// Whether tension has to be told to flatten a surface; one with transverse shear has that for it.
+/// Whether tension has to flatten a surface; one with transverse shear has that for it.
 template <class Geometry>
 constexpr bool is_flattened = !Geometry::has_rotations && requires(const Geometry& geometry) {
   geometry.warp();
