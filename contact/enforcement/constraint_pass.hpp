@@ -21,7 +21,7 @@ struct ConstraintPass {
   double all = 0.0;      ///< of forces [force]
   double uphill = 0.0;   ///< > 0: the acceleration has gone too far [force length]
 
-  /// Gives a constraint its next force, and what the pass after looks at, by the momentum beyond.
+  /// Gives a constraint its next force, and the one that the pass after starts from, by the momentum beyond.
   template <class Row, class Force>
   void take(Row& row, const Force& force, double momentum) {
     const Force step = force - row.force, over = row.ahead - force;

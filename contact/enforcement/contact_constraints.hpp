@@ -49,9 +49,10 @@ class ContactConstraints {
   LightAnswer answer(std::uint32_t light_point, const Eigen::Vector3d& velocity) const;
   /// To be called once all is added, softness is set and recovery limited: passes may begin.
   void begin_passes();
-  /// Pushes the carriers by the forces of the last pass, which the next one looks at: without momentum.
+  /// Pushes the carriers by the forces of the last pass, from which the next one starts: without momentum.
   void push_forces();
-  /// Finds the next forces, and pushes the carriers by what the pass after looks at: by the momentum beyond.
+  /// Finds the next forces, and pushes the carriers by those that the pass after starts from:
+  /// with the momentum beyond.
   ConstraintPass pass(double momentum, const LightCarriers& light);
   /// Gives the points their forces, slip and losses, and remembers them.
   ContactLoss finish();

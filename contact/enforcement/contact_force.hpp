@@ -60,7 +60,7 @@ class ContactForce final : public ForceTerm, public StaticContact {
   bool is_like(const ContactForce& earlier) const;
   /// Takes over what contact of a procedure before remembers, of load steps in load steps and of explicit
   /// dynamics in explicit dynamics all of it: touch, friction, ties, multipliers, sums. Else what is tied or
-  /// glued goes on to be. Behind load steps it does with its forces; pairs whose momentum is balanced begin
+  /// glued stays so. Behind load steps it does with its forces; pairs whose momentum is balanced begin
   /// with those of contact, and what it has pressed counts as just touching as it is. Others begin anew. To
   /// be called before the first forces. Precondition: is_like(earlier).
   ///   ended   motion at the end of the procedure before, where nothing moves any more (dt 0)
@@ -72,7 +72,7 @@ class ContactForce final : public ForceTerm, public StaticContact {
 
   /// Goes over to the surfaces that the setup's contact has now, after deaths of elements. What contact
   /// remembers of faces and nodes that are still there stays: touch, slip, ties, sums. What held a side that
-  /// is gone is over; the energy that it stored is lost.
+  /// is removed is over; the energy that it stored is lost.
   ///   motion           of the last step
   ///   eroded_nodes     ascending, that stay though their elements are dead
   ///   makes_new_edges  whether sharp edges that were none before become edges of contact

@@ -114,7 +114,7 @@ void MomentumBalance::choose_passes(std::int64_t n_passes, double share, double 
 
 /// The passes of the second half look ahead as those of the first did. Each half leaves the share q(lambda)
 /// of a mode of D^-1 A, both q^2, which is never below 0. That matters: with S = M^-1 B^T P B of the forces
-/// -P g for predicted gaps g, and K of elements near their stable step, a motion u goes on by
+/// -P g for predicted gaps g, and K of elements near their stable step, a motion u continues by
 ///   z^2 (I - S)^-1 u - ((2 - dt^2 M^-1 K) z - 1) u = 0,
 /// where no |z| > 1 only if no eigenvalue of I - S is negative; accelerated passes alone leave negative ones,
 /// by which a light sheet between heavier bodies makes energy.

@@ -12,7 +12,7 @@ namespace contactsim {
 ///   way  in the plane of the face [length]
 Eigen::Vector4d weights_of_way(const MovingFace& face, const Eigen::Vector3d& way);
 
-/// A point that stands over the plane of a face beyond its edges, in the linear extension of the face.
+/// A point that projects onto the plane of a face beyond its edges, in the linear extension of the face.
 struct PlanePoint {
   Eigen::Vector4d weights;  ///< of the corners, sum 1 [1]
   Eigen::Vector3d normal;   ///< unit, out of the face [1]
@@ -20,7 +20,7 @@ struct PlanePoint {
   double beyond = 0.0;      ///< how far it is from the face, seen along the normal [length]
 };
 
-/// Where a point stands over the plane of a face.
+/// The projection of a point onto the plane of a face.
 PlanePoint project_onto_plane(const MovingFace& face, const Eigen::Vector3d& point);
 
 }  // namespace contactsim

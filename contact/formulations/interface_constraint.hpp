@@ -74,7 +74,7 @@ CornerVectors corners_of(const ContactStepContext& context, const InterfaceConst
 
 /// Goes over to other faces and nodes. Returns whether both sides are still there.
 bool keep_constraint(const ContactRemap& remap, InterfaceConstraint& constraint);
-/// The same of many: what held a side that is gone is over.
+/// The same of many: what held a side that is removed is over.
 template <class Constraint>
 void keep_constraints(const ContactRemap& remap, std::vector<Constraint>& constraints) {
   std::size_t n = 0;

@@ -111,7 +111,7 @@ InterfaceConstraint constraint_of_node(const ContactStepContext& context, Surfac
 
 namespace {
 
-/// The nearest of the faces that a node projects inside and is held to; one that looks at the node's own
+/// The nearest of the faces that a node projects inside and is held to; one that faces the node's own
 /// faces before all others. On the rim of a joint the sides of the other body are as near as what the joint
 /// joins.
 std::optional<NearPair> find_nearest(const ContactStepContext& context, const NodeFaceLists& node_faces,

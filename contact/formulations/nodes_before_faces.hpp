@@ -10,7 +10,7 @@
 
 namespace contactsim {
 
-/// A surface node that stands over a face that its surface meets, at any distance of a search.
+/// A surface node that projects inside a face that its surface meets, at any distance of a search.
 struct NodeBeforeFace {
   PairIndex pair;
   SurfaceNodeIndex row;

@@ -75,7 +75,7 @@ bool lie_over(const ContactKinematics& start, FaceIndex first, FaceIndex second)
   return -nearest <= std::min(a.penalty_properties.thickness, b.penalty_properties.thickness);
 }
 
-/// A face that a node stands over.
+/// A face that a node projects inside.
 struct Over {
   FaceIndex face;
   Eigen::Vector3d normal;
@@ -111,7 +111,7 @@ FacePairLists find_over(const SlidingSides& sides, const ContactKinematics& star
   return list_by_row<FaceIndex, FaceIndex>(candidates.n_rows(), visit);
 }
 
-/// The faces that nodes stand over on which they slide infinitesimally: of each wall the nearest.
+/// The faces that nodes project inside on which they slide infinitesimally: of each wall the nearest.
 NodeFaceLists find_over(const SlidingSides& sides, const ContactKinematics& start,
                         const NodeFaceLists& candidates) {
   const ContactMesh& contact_mesh = start.contact_mesh();
@@ -178,7 +178,7 @@ template <class Row>
 typename StartPartners<Row>::Lists StartPartners<Row>::restricted(
     const PairRules& rules, const ContactMesh& contact_mesh,
     const Lists& candidates) const requires std::same_as<Row, FaceIndex> {
-  // By surface: a face may stand over one surface and be free against others.
+  // By surface: a face may project onto one surface and be free against others.
   std::map<std::pair<FaceIndex, PairIndex>, bool> stands;  // by face and pair
   const auto pair_of = [&](FaceIndex a, FaceIndex b) {
     return *rules.find(contact_mesh.faces[a].surface, contact_mesh.faces[b].surface);

@@ -37,13 +37,13 @@ struct ReleasedPartner {
   PairIndex pair;
 };
 
-/// Which faces what slides infinitesimally stands over at the start: those it keeps, with the planes in which
-/// they lie. One side of a pair slides, the other keeps still: SIDE B of NODE_FACE slides, else the surface
-/// with less area, of one and the same surface the smaller face, or every node. A node meets the plane of its
-/// face beyond the edges too; of two faces the still one goes along with the other in its own plane, so that
-/// they lie over each other as they did. The corners of the still face bear what its plane beyond them would:
-/// their weights are those of the linear extension, so that forces leave no moment. Source: small sliding of
-/// Abaqus (contact planes that do not end).
+/// Which faces what slides infinitesimally projects onto at the start: those it keeps, with the planes in
+/// which they lie. One side of a pair slides, the other keeps still: SIDE B of NODE_FACE slides, else the
+/// surface with less area, of one and the same surface the smaller face, or every node. A node meets the
+/// plane of its face beyond the edges too; of two faces the still one goes along with the other in its own
+/// plane, so that they lie over each other as they did. The corners of the still face bear what its plane
+/// beyond them would: their weights are those of the linear extension, so that forces leave no moment.
+/// Source: small sliding of Abaqus (contact planes that do not end).
 ///   Row  FaceIndex, or SurfaceNodeIndex
 template <class Row>
 class StartPartners {
@@ -59,7 +59,7 @@ class StartPartners {
                    const Lists& candidates) requires std::same_as<Row, SurfaceNodeIndex>;
 
   bool empty() const { return lists_.partners.empty(); }
-  /// Candidates without those of sliding faces that stand over others.
+  /// Candidates without those of sliding faces that project onto others.
   Lists restricted(const PairRules& rules, const ContactMesh& contact_mesh,
                    const Lists& candidates) const requires std::same_as<Row, FaceIndex>;
   /// Candidates with the partners, which stay candidates wherever they are while their pair keeps them.

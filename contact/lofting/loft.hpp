@@ -66,7 +66,7 @@ struct LoftGeometry {
 /// Lofts elements at the given coordinates. Shells that share a node bend the loft along their mean normal
 /// there, so that smooth shells have a smooth skin; side faces stand only on edges that no other lofted shell
 /// has; joints close sharp folds. A line's prism is inscribed in the cylinder of its radius, its ends closed
-/// where no other lofted line goes on.
+/// where no other lofted line continues.
 ///   coordinates  3 x n_nodes [length]
 ///   elements     ascending; shells, lines and particles
 ///   sizes        [n_elements] of each of them

@@ -14,7 +14,7 @@ namespace {
 /// Shells that meet at a sharper angle keep their own normals: a mean normal would loft them inside out.
 constexpr double smooth_cosine = 0.5;
 
-/// A node with more shells is the hub of a fan. Each of them would look at all others.
+/// A node with more shells is the hub of a fan. Each of them would be compared with all others.
 constexpr std::ptrdiff_t max_smooth_shells = 256;
 
 }  // namespace

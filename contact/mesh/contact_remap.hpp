@@ -11,7 +11,7 @@
 
 namespace contactsim {
 
-/// Where what stood at each position is now; none of what is gone.
+/// The new position of each old one; none of what is removed.
 template <class AnIndex>
 using NewPositions = IndexedVector<AnIndex, OptionalIndex<AnIndex>>;
 
@@ -43,7 +43,7 @@ void transfer(const std::vector<OptionalIndex<AnIndex>>& positions, std::size_t 
   values = std::move(transferred);
 }
 
-/// The number of what stood at a number before, which stands for one of these positions; none if it is gone.
+/// The new number of an old one, which stands for one of these positions; none if it is removed.
 template <class AnIndex>
 OptionalIndex<std::uint32_t> number_after(const NewPositions<AnIndex>& positions, std::uint32_t number) {
   const OptionalIndex<AnIndex> after = positions[{number}];

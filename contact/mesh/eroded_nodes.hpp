@@ -11,8 +11,8 @@
 namespace contactsim {
 
 /// The nodes that stay in contact when all their elements are dead: NODAL EROSION = OFF. Which surface of
-/// faces has such a node of a solid is told by the faces of its dead elements, as if they were outside; which
-/// surface of nodes, by what its elements claimed alive.
+/// faces has such a node of a solid follows from the faces of its dead elements, as if they were outside;
+/// which surface of nodes, by what its elements claimed alive.
 class ErodedNodes {
  public:
   /// `faces` must outlive this.

@@ -29,7 +29,7 @@ void choose_feature_edges(const std::vector<SurfaceOptions>& options, const Surf
 ///   start  the faces at the start
 void measure_sharpness(const ContactKinematics& start, ContactMesh& contact_mesh);
 
-/// The sharpness of one face, but for the edges beyond which its surface goes on with a face.
+/// The sharpness of one face, but for the edges beyond which its surface continues with a face.
 double sharpness_of(const ContactKinematics& start, FaceIndex face,
                     const std::function<bool(FaceIndex)>& goes_on);
 

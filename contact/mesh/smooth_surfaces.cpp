@@ -70,7 +70,7 @@ void warn(const ContactDefinition& contact, const ContactModel& model, Diagnosti
           fmt::format("no pair of surfaces uses the smoothing '{}'", smoothing.name.text),
           "write SMOOTHING = " + smoothing.name.text + " in an INTERACTION or in INTERACTION DEFAULTS");
   }
-  // Of the defaults some pairs may be flat; only when all are is it told, once.
+  // Of the defaults some pairs may be flat; only when all are is it reported, once.
   bool are_defaults_told = std::ranges::any_of(model.pairs, [&](const SurfacePair& pair) {
     return pair.is_from_defaults && pair.smoothing && smooths(model, pair);
   });

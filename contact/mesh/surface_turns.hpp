@@ -5,7 +5,7 @@
 
 namespace contactsim {
 
-/// How the surfaces about contact nodes have turned since the start, told by where the nodes of their faces
+/// How the surfaces about contact nodes have turned since the start, by where the nodes of their faces
 /// are now and nothing else: it has no memory and makes no error that grows.
 class SurfaceTurns {
  public:

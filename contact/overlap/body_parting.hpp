@@ -9,7 +9,7 @@
 
 namespace contactsim {
 
-/// How overlap removal is told that a node stays where it is, or that its body does not go as a whole.
+/// How overlap removal learns that a node stays where it is, or that its body does not go as a whole.
 inline constexpr std::uint8_t held_fully = 1, held_in_part = 2;
 
 /// A body on its way out of another one.

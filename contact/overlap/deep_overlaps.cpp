@@ -116,7 +116,7 @@ void DeepOverlaps::leave_out_shallow(const ContactKinematics& kinematics, double
   });
 }
 
-/// Whether one of a node's own faces looks at a face; what has none looks everywhere.
+/// Whether one of a node's own faces is facing a face; what has none is facing all.
 bool DeepOverlaps::is_facing(const ContactKinematics& kinematics, const SurfaceNode& node,
                              const Eigen::Vector3d& normal) const {
   if (node.radius > 0.0f) return true;
@@ -193,7 +193,7 @@ std::vector<DeepOverlap> DeepOverlaps::find(const Eigen::Matrix3Xd& coordinates,
 #pragma omp parallel for schedule(dynamic, 16) num_threads(threads_for(inside.size() * 100))
   for (std::size_t i = 0; i < inside.size(); ++i)
     ways[i] = find_way_out(kinematics, inside[i], faces_of_body);
-  // Top and bottom of a sheet look at opposite faces of a loft: their node goes the shorter way.
+  // Top and bottom of a sheet face opposite faces of a loft: their node goes the shorter way.
   const auto is_of_loft = [&](const std::optional<DeepOverlap>& way) {
     return way && contact_mesh().is_lofted(contact_mesh().faces[way->face]);
   };

@@ -39,7 +39,7 @@ class DeepOverlaps {
   /// All nodes inside of what their surface is paired with, ascending by row. Of the faces of the body around
   /// it the way out is the nearest one, nearer the more it is turned against the node's surface; those that
   /// look the same way are none. Sheets, lines and spheres take the nearest one, spheres with their radius.
-  /// Out of a lofted shell the way leads through a face that one of the node's own faces looks at: of two
+  /// Out of a lofted shell the way leads through a face that one of the node's own faces is facing: of two
   /// sheets whose mid surfaces have passed each other, the shorter way. Ties leave what lies deep in lofts
   /// where it is.
   ///   coordinates  [3 x n_nodes] of the mesh [length]

@@ -28,7 +28,7 @@ class SideMover {
   bool resolve_rest(PairIndex pair, const Overlap& overlap, double share);
   /// Moves a node of the mesh.
   void move(PairIndex pair, NodeIndex node, const Eigen::Vector3d& way);
-  /// Half the way when the nodes of the other side, which go on their own account, can move [1].
+  /// Half the way when the nodes of the other side, which move by themselves, can move [1].
   double share_of_first(PairIndex pair, const Overlap& overlap) const;
 
   /// How far nodes have gone for a pair, by node of the mesh [length].

@@ -85,16 +85,16 @@ std::vector<StartOverlap> find_start_overlaps(const ContactModel& model, const M
   const OverlapDetection places(model, parts, search, points, 0.0);
   IndexedVector<PairIndex, PairGatherer> gatherers(model.pairs.size(),
                                                    PairGatherer(parts.contact_mesh, points.renewed()));
-  std::set<ContactNodeIndex> told;  // contact nodes behind faces
+  std::set<ContactNodeIndex> reported;  // contact nodes behind faces
   for (const PairIndex p : indices(model.pairs)) {
     places.visit_all(p, [&](const Overlap& overlap) {
       gatherers[p].add(overlap);
-      if (overlap.first.is_node()) told.insert(overlap.first.nodes[0]);
+      if (overlap.first.is_node()) reported.insert(overlap.first.nodes[0]);
     });
   }
   for (const DeepOverlap& overlap :
        DeepOverlaps(model, mesh, parts).find(mesh.coordinates(), points.renewed())) {
-    if (!overlap.is_deep && told.contains(parts.contact_mesh.surface_nodes[overlap.row].node)) continue;
+    if (!overlap.is_deep && reported.contains(parts.contact_mesh.surface_nodes[overlap.row].node)) continue;
     gatherers[overlap.pair].add(overlap);
   }
   std::vector<StartOverlap> found;

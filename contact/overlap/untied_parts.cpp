@@ -72,7 +72,7 @@ SurfaceIndex UntiedGatherer::smaller(const SurfacePair& pair) const {
   return area(pair.first) < area(pair.second) ? pair.first : pair.second;
 }
 
-/// Nodes stand before the other side where they project inside one of its faces and look at it.
+/// Nodes stand before the other side where they project inside one of its faces and face it.
 void UntiedGatherer::note_node(PairIndex pair, SurfaceNodeIndex row, FaceIndex face, double tolerance) {
   const auto closest = find_closest_point(context_, row, face, reach_[pair]);
   const SurfaceNode& node = contact_mesh_.surface_nodes[row];

@@ -27,7 +27,7 @@ inline bool do_overlap(const Box& a, const Box& b) {
 /// Whether lo <= hi on every axis and all six numbers are finite.
 bool is_sound(const Box& box);
 
-/// A node of a BoxTree: its box, rounded outward, and where to go on. Half a cache line.
+/// A node of a BoxTree: its box, rounded outward, and its children. Half a cache line.
 struct BoxNode {
   std::array<float, 3> lo;
   std::uint32_t n_boxes;  ///< boxes below, 1 in a leaf

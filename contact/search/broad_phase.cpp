@@ -154,7 +154,7 @@ void BroadPhase::note_refit() {
 }
 
 bool BroadPhase::is_slow() const {
-  // A build takes as long as some forty visits to every box; searches that look at fewer pairs than there are
+  // A build takes as long as some forty visits to every box; searches that visit fewer pairs than there are
   // boxes, as between bodies apart, are never worth one.
   constexpr double growth = 1.2, min_effort = 1.0;
   return fresh_effort_ && effort_ > growth * std::max(*fresh_effort_, min_effort);

@@ -31,7 +31,7 @@ class FacesTurnedAway {
   std::size_t bytes() const { return bytes_of(marks_) + bytes_of(watched_) + bytes_of(normals_); }
 
  private:
-  IndexedVector<FaceIndex, std::uint8_t> marks_;  // of the search that goes on
+  IndexedVector<FaceIndex, std::uint8_t> marks_;  // of the search under way
   std::vector<FaceIndex> watched_;
   std::vector<Eigen::Vector3f> normals_;  // [watched] at the last search [1]
 };

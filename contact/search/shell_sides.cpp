@@ -22,7 +22,7 @@ bool takes_part(const SurfacePair& pair, const ContactFace& face, const ContactM
   constexpr int last_rim = 6;
   const int wanted = sides == ShellSides::top ? 1 : 2;
   if (face.side.side() <= last_rim) return face.side.side() == wanted;
-  // Joints close what skins leave open at a fold: they are of the skins that they go on from.
+  // Joints close what skins leave open at a fold: they are of the skins that they continue.
   return std::ranges::any_of(face.corners, [&](ContactNodeIndex corner) {
     return std::ranges::any_of(contact_mesh.faces_of_node.of(corner), [&](FaceIndex other) {
       return contact_mesh.faces[other].side.side() == wanted;

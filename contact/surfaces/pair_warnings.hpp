@@ -27,7 +27,7 @@ struct PairExclusion {
 /// The name of an interaction, or "interaction 3".
 std::string name_of_interaction(const ContactDefinition& contact, std::size_t index);
 
-/// What the user is told about interactions that do less than they say.
+/// Warnings about interactions that do less than they say.
 class PairWarnings {
  public:
   /// Both must outlive this.

@@ -9,7 +9,7 @@
 namespace contactsim {
 
 /// The surfaces of the start, while every element lives: each face, lofted element and node of the mesh goes
-/// where the rules say. SurfaceTracker goes on from there.
+/// where the rules say. SurfaceTracker updates them.
 ContactSurfaces resolve_surfaces(const OwnershipRules& rules, const Mesh& mesh);
 
 /// The same of a contact definition.

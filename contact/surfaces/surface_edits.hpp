@@ -22,7 +22,7 @@ struct SurfaceChange {
 
 using SurfaceChanges = IndexedVector<SurfaceIndex, SurfaceChange>;
 
-/// Gathers how claims of faces, lofted elements and nodes change, each of which is told once, and carries
+/// Gathers how claims of faces, lofted elements and nodes change, each of which is reported once, and carries
 /// them over into surfaces.
 class SurfaceEdits {
  public:

@@ -188,7 +188,7 @@ void PairMaker::add_interaction(std::size_t index) {
   for (const auto& [key, meeting] : meetings) {
     const bool has_empty_side = meetings_.has_empty_side(meeting);
     is_served = is_served || has_empty_side;
-    if (excludes && has_empty_side) exclusions_.back().has_effect = true;  // that is told of the surface
+    if (excludes && has_empty_side) exclusions_.back().has_effect = true;  // that is reported of the surface
     if (!meetings_.can_meet(meeting)) continue;
     is_served = true;
     if (excludes) {

@@ -40,7 +40,8 @@ struct SurfacePair {
   std::optional<double>
       overlap_tangential_tolerance;         ///< the same beyond an edge; absent: automatic [length]
   std::optional<double> capture_tolerance;  ///< gap over which what holds does so; absent: automatic [length]
-  std::optional<double> tracking_distance;  ///< gaps told in the output; absent: the search's margin [length]
+  std::optional<double>
+      tracking_distance;  ///< gaps up to it are output; absent: the search's margin [length]
   std::optional<SearchDistance> search_distance;  ///< what is farther at the start is never looked at
   bool separates = true;                          ///< what has touched may part again
   std::array<ShellSides, 2> sides{};              ///< of the shells of `first` and `second` that take part

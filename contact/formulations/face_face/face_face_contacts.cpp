@@ -227,7 +227,7 @@ void FaceFaceContacts::add_pull(const ContactStepContext& context, const Candida
 
 bool FaceFaceContacts::met_in_front(const ContactStepContext& context, const Candidate& candidate,
                                     const FaceFaceContact& contact, double closed) const {
-  // Before the first step nobody knows: what is wider than deep in the mesh is pushed out.
+  // Before the first step there is no motion to decide by: what is wider than deep in the mesh is pushed out.
   if (context.dt == 0.0) {
     const double gap = contact.gap + std::max(offset_of(context, candidate), 0.0);
     return gap * gap <= contact.area;

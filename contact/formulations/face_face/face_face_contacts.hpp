@@ -12,11 +12,11 @@
 
 namespace contactsim {
 
-/// The pairs of faces that may touch: FACE_FACE. A pair that touches goes on however deep it gets, until the
-/// faces part or no longer overlap. A pair that starts to touch takes over the mean slip of its first face,
-/// else of its second, so that friction is not lost when a face slides from one partner to the next. Of pairs
-/// that slide infinitesimally one face is carried along with the other, in its own plane.
-/// A PointFormulation.
+/// The pairs of faces that may touch: FACE_FACE. A pair that touches stays in contact however deep it gets,
+/// until the faces part or no longer overlap. A pair that starts to touch takes over the mean slip of its
+/// first face, else of its second, so that friction is not lost when a face slides from one partner to the
+/// next. Of pairs that slide infinitesimally one face is carried along with the other, in its own plane. A
+/// PointFormulation.
 class FaceFaceContacts {
  public:
   explicit FaceFaceContacts(const FormulationSetup& setup);

@@ -21,7 +21,7 @@ struct NodeFaceContacts::NearFace {
   double share = 1.0;     ///< of the node's area, where it projects inside several faces alike [1]
   double distance = 0.0;  ///< of the node, the middle of a sphere, from the face [length]
   double near = 0.0;      ///< gaps up to it may close soon [length]
-  bool is_plane = false;  ///< the node stands over the plane of the face, beyond its edges
+  bool is_plane = false;  ///< the node projects onto the plane of the face, beyond its edges
   double beyond = 0.0;    ///< by so much [length]
   bool pulls = false;     ///< it has touched and may not part
   double deeper = 0.0;    ///< by the node's multiplier [length]

@@ -30,7 +30,7 @@ void NodeFaceContacts::watch(IndexedVector<FaceIndex, std::uint8_t>& is_watched)
 void NodeFaceContacts::mark_close(const ContactStepContext& context, double size_share,
                                   PairRules& rules) const {
   for (const NearPair& near : find_near_pairs(context, {}, candidates_, size_share, is_hybrid)) {
-    // A rim is as near to the sides of the other body as to what it looks at.
+    // A rim is as near to the sides of the other body as to what it faces.
     if (near.is_facing) rules.mark_close_node(near.pair, near.row());
   }
 }

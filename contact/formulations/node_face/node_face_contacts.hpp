@@ -16,7 +16,7 @@ namespace contactsim {
 /// The nodes that meet faces as nodes: NODE_FACE, and spheres. A node touches one face, or shares itself
 /// among those of the edge or the corner right behind which it stands; only where faces form a hollow does it
 /// touch more, three at most. It comes out on the side on which it went in, however deep it gets. Of pairs
-/// that slide infinitesimally the plane of its face goes on beyond the edges. A ContactFormulation.
+/// that slide infinitesimally the plane of its face extends beyond the edges. A ContactFormulation.
 class NodeFaceContacts {
  public:
   explicit NodeFaceContacts(const FormulationSetup& setup)
@@ -31,7 +31,7 @@ class NodeFaceContacts {
   std::size_t n_candidates() const { return candidates_.partners.size(); }
   const NodeFaceLists& candidates() const { return candidates_; }
   std::size_t bytes() const { return candidates_.bytes() + bounds_.bytes(); }
-  /// A node looks at its own faces, too, and at those around the faces that it may touch.
+  /// A node needs the bounds of its own faces, too, and of those around the faces that it may touch.
   void watch(IndexedVector<FaceIndex, std::uint8_t>& is_watched) const;
 
   void begin_step() { history_.begin_step(); }
@@ -96,8 +96,8 @@ class NodeFaceContacts {
   /// the face.
   static bool stand_on_plane(const MovingFace& face, const Eigen::Vector3d& x, double radius,
                              NearFace& near_face);
-  /// Leaves the plane of a face out where the node stands over another face of the same wall, or nearer to
-  /// it.
+  /// Leaves the plane of a face out where the node projects inside another face of the same wall, or nearer
+  /// to it.
   static void choose_planes(NearFaces& near_faces);
   void choose(const ContactStepContext& context, SurfaceNodeIndex row, const NodeHistory& node_history,
               NearFaces& near_faces) const;

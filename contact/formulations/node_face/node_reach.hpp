@@ -100,9 +100,9 @@ class NodeReach {
   bool is_known_, goes_anywhere_;
 };
 
-/// Whether what is behind a face must have come through it in the last step. Before the first one nobody
-/// knows: what overlaps then is pushed out. What a ramp brings in comes from in front, in a load step by any
-/// depth.
+/// Whether what is behind a face must have come through it in the last step. Before the first one there
+/// is no motion to decide by: what overlaps then is pushed out. What a ramp brings in comes from in front, in
+/// a load step by any depth.
 bool must_come_from_outside(const ContactStepContext& context, const PairRule& rule);
 
 }  // namespace contactsim

@@ -50,7 +50,7 @@ CornerForces find_tie_forces(const Tie& tie, const CornerVectors& x);
 ///   x          of the corners now [length]
 void renew_springs(double stiffness, const CornerVectors& x, Tie& tie);
 
-/// Has a tie with springs go on under momentum balance, which begins with their forces: its points are in
+/// Continues a tie with springs under momentum balance, which begins with their forces: its points are in
 /// place as they are now. Of the springs no more is left than what makes the forces of the points theirs,
 /// which does not depend on how far the sides are apart.
 ///   x  of the corners now [length]
