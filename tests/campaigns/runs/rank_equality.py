@@ -12,8 +12,8 @@ from thread_equality import ThreadEquality
 
 RANKS = (2, 3, 4, 7, 8)
 # Ranks share processors here, and containers have one user.
-MPIRUN = ["mpirun", "--oversubscribe", "--allow-run-as-root", "--bind-to", "none", "--mca", "mpi_yield_when_idle", "1",
-          "--mca", "btl_vader_single_copy_mechanism", "none", "--mca", "orte_base_help_aggregate", "1", "-q"]
+MPIRUN = ["mpirun", "-q", "--allow-run-as-root", "--oversubscribe", "--bind-to", "none", "--mca", "plm", "isolated",
+          "--mca", "mpi_yield_when_idle", "1", "--mca", "btl_vader_single_copy_mechanism", "none"]
 
 
 class RankEquality(ThreadEquality):

@@ -1,0 +1,132 @@
+#!/usr/bin/python3
+# SPDX-License-Identifier: BSD-3-Clause
+"""Runs on ranks of MPI: the bytes of one process, restarts with other numbers of ranks, errors that are said once, a rank
+that is killed."""
+import pathlib
+import re
+import signal
+import subprocess
+import sys
+import tempfile
+import time
+
+SOURCE = pathlib.Path(__file__).resolve().parents[3]
+sys.path += [str(SOURCE / "tests/campaigns"), str(SOURCE / "tests/campaigns/runs")]
+from rank_equality import MPIRUN, RankEquality  # noqa: E402
+from results import problem_of_results  # noqa: E402
+
+RESTART = """begin restart data
+        database name = impact.rsout
+        at step 0 increment = 40
+      end
+      begin contact definition"""
+
+
+class Runs:
+    """Runs of the ball on the plate, 14 chunks of elements with contact, friction and held nodes."""
+
+    def __init__(self, program, folder):
+        self.program, self.folder = program, folder
+        self.deck = (SOURCE / "decks/impact.i").read_text().replace("= 120e-6", "= {end}")
+        self.mesh = (SOURCE / "decks/impact.g").read_bytes()
+
+    def prepare(self, name, deck):
+        folder = self.folder / name
+        folder.mkdir(exist_ok=True)
+        (folder / "impact.i").write_text(deck)
+        (folder / "impact.g").write_bytes(self.mesh)
+        return folder
+
+    def command(self, n_ranks, end="8e-6"):
+        start = [] if n_ranks == 1 else [*MPIRUN, "-np", str(n_ranks)]
+        return [*start, self.program, "impact.i", "--threads", "1", "--quiet", "--log", "run.log", "-D", f"end={end}"]
+
+    def run(self, name, n_ranks, deck=None, **more):
+        folder = self.prepare(name, deck or self.deck)
+        result = subprocess.run(self.command(n_ranks, **more), cwd=folder, capture_output=True, text=True, timeout=120)
+        return folder, result
+
+
+def check(holds, what):
+    if not holds:
+        sys.exit(f"failed: {what}")
+
+
+def compare(one, more):
+    names = sorted({path.name for path in one.iterdir()} | {path.name for path in more.iterdir()})
+    for name in names:
+        check((one / name).exists() and (more / name).exists(), f"{more.name} and {one.name}: only one has {name}")
+        difference = RankEquality.file_difference(one / name, more / name)
+        check(not difference, f"{more.name} is not as {one.name}: {difference}")
+
+
+def bytes_are_those_of_one_process(runs):
+    one, result = runs.run("one", 1)
+    check(result.returncode == 0, result.stderr)
+    for n_ranks in (2, 3, 4, 7):
+        more, result = runs.run(f"{n_ranks}_ranks", n_ranks)
+        check(result.returncode == 0, result.stderr)
+        compare(one, more)
+        check(f"  ranks      {n_ranks}\n" in (more / "run.log").read_text(), "the log does not say the ranks")
+
+
+def restarts_go_on_with_other_ranks(runs):
+    deck = runs.deck.replace("begin contact definition", RESTART, 1)
+    stored, _ = runs.run("stored", 3, deck, end="4e-6")
+    states = sorted(path.name for path in stored.glob("impact.rsout*"))
+    check(states, "no state is stored")
+    again = deck.replace("begin sierra ball on plate", "begin sierra ball on plate\n  restart = automatic", 1)
+    results = []
+    for n_ranks in (1, 2, 4):
+        folder = runs.prepare(f"resumed_{n_ranks}", again)
+        for name in states:
+            (folder / name).write_bytes((stored / name).read_bytes())
+        _, result = runs.run(folder.name, n_ranks, again)
+        check(result.returncode == 0, result.stderr)
+        check((folder / "impact.e-s0002").exists(), "it does not go on from the stored state")
+        results.append(folder)
+    for folder in results[1:]:
+        compare(results[0], folder)
+
+
+def errors_are_said_once(runs):
+    _, result = runs.run("wrong_deck", 3, runs.deck.replace("skin all blocks", "skin al blocks", 1))
+    check(result.returncode == 2, f"exit code {result.returncode} of a wrong deck")
+    said = re.findall("impact.i:[0-9]+:.*", result.stderr)
+    check(said and len(said) == len(set(said)), result.stderr)
+    _, result = runs.run("fast", 3, runs.deck.replace("{speed}", "{speed * 1000}").replace("youngs modulus = 70e9", "youngs modulus = 70e5"))
+    check(result.returncode == 4, f"exit code {result.returncode} of a motion that cannot go on: {result.stderr}")
+    check(result.stderr.count("error: ") == 1, result.stderr)
+
+
+def a_killed_rank_ends_the_run(runs):
+    folder = runs.prepare("killed", runs.deck)
+    command = [word for word in runs.command(3, end="120e-6") if word != "-q"]
+    with subprocess.Popen(command, cwd=folder, stdout=subprocess.DEVNULL,
+                          stderr=subprocess.PIPE, text=True) as run:
+        while run.poll() is None and not (folder / "impact.e").exists():
+            time.sleep(0.05)
+        time.sleep(0.5)
+        ranks = subprocess.run(["pgrep", "-P", str(run.pid)], capture_output=True, text=True).stdout.split()
+        check(len(ranks) == 3, f"mpirun has {len(ranks)} ranks")
+        subprocess.run(["kill", f"-{signal.SIGKILL.value}", ranks[-1]], check=True)
+        begun = time.monotonic()
+        _, said = run.communicate(timeout=60)
+        check(run.returncode != 0 and time.monotonic() - begun < 60.0, "the run did not end")
+        check(said, "nobody says why the run has ended")
+    problem = problem_of_results(folder)
+    check(not problem, problem)
+
+
+def main():
+    with tempfile.TemporaryDirectory() as folder:
+        runs = Runs(sys.argv[1], pathlib.Path(folder))
+        for test in (bytes_are_those_of_one_process, restarts_go_on_with_other_ranks, errors_are_said_once,
+                     a_killed_rank_ends_the_run):
+            begun = time.monotonic()
+            test(runs)
+            print(f"{test.__name__}: {time.monotonic() - begun:.1f} s", flush=True)
+
+
+if __name__ == "__main__":
+    main()
