@@ -22,7 +22,7 @@ struct StagedDeck : TemporaryDirectory {
     options.mesh = file("m.g");
     log.begin(false);
   }
-  DeckWay way() { return {options, definition, signals, log, warnings, summary, draft}; }
+  DeckWay way() { return {options, definition, one_rank(), signals, log, warnings, summary, draft}; }
   std::vector<ChosenRegion> chosen() { return choose_regions(definition, false, warnings); }
   std::string logged() const { return read_bytes(file("a.log")); }
 

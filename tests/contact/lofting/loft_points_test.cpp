@@ -56,8 +56,8 @@ TEST_CASE("points stand where the vertices of the loft do, and each once", "[con
   for (std::uint32_t vertex = 0; vertex < loft.vertices.cols(); ++vertex) {
     const auto point = points.of_vertex(vertex);
     REQUIRE(point);
-    CHECK(points.node(*point) == loft.node_of_vertex[vertex].value);
-    const Vector3d x = mesh.coordinates().col(points.node(*point)) + offsets.col(*point);
+    CHECK(points.node(*point) == loft.node_of_vertex[vertex]);
+    const Vector3d x = mesh.coordinates().col(points.node(*point).value) + offsets.col(*point);
     CHECK((x - loft.vertices.col(vertex)).norm() < 1e-12);
     CHECK(points.thickness(*point) == 0.4);
     const bool is_above = offsets(2, *point) > 0.0;
@@ -78,7 +78,7 @@ TEST_CASE("shells whose normals look either way share the points at their edge",
   const Vector3d mean(-std::sin(0.5 * angle), 0, std::cos(0.5 * angle));
   std::size_t n_at_edge = 0;
   for (std::size_t i = 0; i < points.size(); ++i) {
-    if (points.node(i) != 1 && points.node(i) != 4) continue;
+    if (points.node(i) != NodeIndex{1} && points.node(i) != NodeIndex{4}) continue;
     ++n_at_edge;
     const Vector3d way = offsets.col(static_cast<Eigen::Index>(i));
     CHECK((way - (way.z() > 0.0 ? 0.1 : -0.1) * mean).norm() < 1e-12);
@@ -96,7 +96,7 @@ TEST_CASE("points follow the normals of the shells that they had at the start", 
   for (std::size_t i = 0; i < points.size(); ++i) {
     const Vector3d way = offsets.col(static_cast<Eigen::Index>(i));
     const double sign = way.z() - way.x() > 0.0 ? 1.0 : -1.0;
-    const std::uint32_t node = points.node(i) % 3;
+    const std::uint32_t node = points.node(i).value % 3;
     const Vector3d expected = node == 0   ? Vector3d(0, 0, 0.1)
                               : node == 1 ? Vector3d(-half, 0, half)
                                           : Vector3d(-0.1, 0, 0);
@@ -107,7 +107,7 @@ TEST_CASE("points follow the normals of the shells that they had at the start", 
   for (const Eigen::Index node : {2, 5}) stretched(2, node) = 3.0;
   const Eigen::Matrix3Xd weighted = offsets_at(points, stretched);
   for (std::size_t i = 0; i < points.size(); ++i) {
-    if (points.node(i) != 1) continue;
+    if (points.node(i) != NodeIndex{1}) continue;
     const Vector3d way = weighted.col(static_cast<Eigen::Index>(i));
     CHECK(std::abs(way.x() / way.z()) == Approx(3.0));
   }

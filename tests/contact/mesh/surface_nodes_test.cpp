@@ -117,7 +117,7 @@ TEST_CASE("free nodes stand among the others, for their share of a face of a dea
       last = node.node;
       if (!node.is_free) continue;
       ++n_free;
-      CHECK(contact_mesh.mesh_nodes[node.node] == corner.value);
+      CHECK(contact_mesh.mesh_nodes[node.node] == corner);
       if (surface == SurfaceIndex{0}) {
         CHECK(node.area == Approx(0.5 / 3.0));
         CHECK(node.penalty_properties.thickness == Approx(1.0));

@@ -37,7 +37,10 @@ struct Watched {
                    std::span<const StartOverlap> overlaps = {})
       : bodies(builder, general_contact(lines)), watch(bodies.definition, bodies.mesh, overlaps) {
     bodies.ask();
-    if (watch.is_look_due(moment(), 1)) watch.look(moment());
+    step(1);
+  }
+  void step(int n_steps) {
+    if (watch.is_look_due(moment(), n_steps)) watch.look(moment());
   }
   ContactMoment moment() const {
     return {bodies.contact.kinematics(), bodies.contact.rules(), bodies.x, alive, bodies.time};
@@ -79,16 +82,16 @@ TEST_CASE("a look comes when a node has gone by a quarter of the thickness, at t
   Watched w(two_blocks());
   w.lower(0.14);
   // Seen from the mean of all nodes: of 170 the lower block has 125.
-  w.watch.step(w.moment(), 1);
+  w.step(1);
   CHECK(w.found().depth > 0.0);
   const double known = w.found().depth;
   w.lower(0.03);
-  w.watch.step(w.moment(), 1);
+  w.step(1);
   CHECK(w.found().depth == known);
   w.lower(0.2);
-  for (int i = 2; i < 10; ++i) w.watch.step(w.moment(), 10);
+  for (int i = 2; i < 10; ++i) w.step(10);
   CHECK(w.found().depth == known);
-  w.watch.step(w.moment(), 10);
+  w.step(10);
   CHECK(w.found().depth > known);
 }
 
