@@ -134,7 +134,14 @@ TEST_CASE("half a million pairs are not all listed", "[app][pairs]") {
 
 TEST_CASE("after a run the table tells what pairs did, and which never touched", "[app][pairs]") {
   IndexedVector<PairIndex, PairHistory> histories(3);
-  histories[{0}] = {0.5, 1234.5, {1, -2, 3.25}, 6.5, 0.75, 5.0, 0.25, 0.0};
+  PairHistory& touched = histories[{0}];
+  touched.contact_time = 0.5;
+  touched.peak_force = 1234.5;
+  touched.impulse = {1, -2, 3.25};
+  touched.work = 6.5;
+  touched.friction_work = 0.75;
+  touched.taken = 5.0;
+  touched.stored_at_start = 0.25;
   CHECK(squeezed(format_pair_histories(three_pairs(), histories)) ==
         "\nContact of pairs in the run\n"
         "no first second contact time peak force deepest of thickness friction work\n"

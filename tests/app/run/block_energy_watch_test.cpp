@@ -12,13 +12,13 @@ namespace {
 
 /// Two blocks of one cube each, of the modulus and the density of steel, in a run with a largest term of
 /// 1000.
-struct TwoCubes {
+struct CubeBlocks {
   Mesh mesh = MeshBuilder().add_hexes({.id = 7}).add_hexes({.id = 9, .origin = {5, 0, 0}}).build();
   Model model;
   State state;
   BlockEnergyWatch watch{model};
 
-  TwoCubes() {
+  CubeBlocks() {
     model.mesh = &mesh;
     for (std::uint32_t i = 0; i < 2; ++i)
       model.blocks.push_back(
@@ -37,7 +37,7 @@ struct TwoCubes {
 }  // namespace
 
 TEST_CASE("a block that gives out energy is named, once", "[app][energy]") {
-  TwoCubes cubes;
+  CubeBlocks cubes;
   cubes.watch.begin(cubes.state);
   cubes.stress_work(0) = 500.0;
   cubes.stress_work(1) = -9.0;  // less than a hundredth of the largest term
@@ -52,7 +52,7 @@ TEST_CASE("a block that gives out energy is named, once", "[app][energy]") {
 }
 
 TEST_CASE("so is one whose hourglasses give out energy, whatever its stresses took", "[app][energy]") {
-  TwoCubes cubes;
+  CubeBlocks cubes;
   cubes.watch.begin(cubes.state);
   cubes.stress_work(0) = 500.0;
   cubes.state.blocks[0].hourglass_work = -11.0;
@@ -63,7 +63,7 @@ TEST_CASE("so is one whose hourglasses give out energy, whatever its stresses to
 }
 
 TEST_CASE("stresses at the start may give out what they hold", "[app][energy]") {
-  TwoCubes cubes;
+  CubeBlocks cubes;
   for (std::size_t i = 0; i < 3; ++i) cubes.state.blocks[1].values[i].setConstant(10e6);
   cubes.watch.begin(cubes.state);
   const double held = 0.5 * 10e6 * 10e6 / 160e9;  // pressure^2 / 2 bulk, volume 1
@@ -76,7 +76,7 @@ TEST_CASE("stresses at the start may give out what they hold", "[app][energy]") 
 }
 
 TEST_CASE("a share of next to nothing is nobody's energy", "[app][energy]") {
-  TwoCubes cubes;
+  CubeBlocks cubes;
   cubes.watch.begin(cubes.state);
   cubes.state.energies.largest = 1e-65;
   cubes.stress_work(0) = -1e-65;
