@@ -94,9 +94,13 @@ TEST_CASE("a procedure that ends early may end those behind it, too", "[app][pro
 }
 
 TEST_CASE("a procedure that cannot go on is the last, with its exit code", "[app][procedures]") {
-  // A corner of the cube low crosses it in a step.
-  ReadyDeck deck(
-      two_in_turn("begin initial velocity\nnode set = corner\ncomponent = x\nmagnitude = 100\nend\n"));
+  // A corner of the cube low goes a hundred cells in a step.
+  std::string procedures =
+      two_in_turn("begin initial velocity\nnode set = corner\ncomponent = x\nmagnitude = 1000\nend\n");
+  const std::string begin = "start time = 0.000000\n";
+  procedures.insert(procedures.find(begin) + begin.size(),
+                    "begin parameters for presto region one\nuser time step = 0.05\nend\n");
+  ReadyDeck deck(procedures);
   CHECK(deck.run() == ExitCode::solve);
   CHECK(deck.begun() == Names{"one"});
   CHECK_THAT(deck.logged(), Contains("The procedure two is not run."));
