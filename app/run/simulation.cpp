@@ -87,7 +87,7 @@ RunEstimate Simulation::estimate() {
   const double begun = clock_seconds();
   int n_steps = 0;
   while (!control().is_over(state().time, state().dt) && n_steps < max_steps &&
-         run.of_root(clock_seconds() - begun < max_seconds)) {
+         run.settings.ranks.of_root(clock_seconds() - begun < max_seconds)) {
     run.advance();
     ++n_steps;
   }

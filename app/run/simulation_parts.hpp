@@ -51,8 +51,6 @@ struct Simulation::Parts {
   void let_die();
   /// Has the state hold what other ranks know of it, for who reads more than a step leaves on each.
   void complete_state();
-  /// What rank 0 says, which alone looks at a clock.
-  bool of_root(bool value) const { return settings.ranks.of_root(value); }
   /// Why the run ends with its state, if it does.
   std::optional<EarlyEnd> find_end();
   std::vector<PartTime> times() const;

@@ -170,10 +170,4 @@ void RankShare::complete(State& state) {
   }
 }
 
-std::size_t RankShare::n_bytes_per_step() const {
-  std::size_t n = 0;
-  for (const std::vector<std::byte>& message : sent_) n += message.size();
-  return n;
-}
-
 }  // namespace contactsim

@@ -25,13 +25,10 @@ class RankShare {
   RankShare(const RankShare&) = delete;
   RankShare& operator=(const RankShare&) = delete;
 
-  const ChunkShares& chunks() const { return chunks_; }
   ChunkRange own_chunks(std::size_t block) const { return chunks_.of(ranks_.rank(), block); }
   const NodeRanges& followed() const { return followed_; }
   /// Those of them whose sums other ranks make.
   const NodeRanges& others_followed() const { return others_followed_; }
-  std::size_t n_sums() const { return nodes_.n_sums(); }
-  NodeRange nodes_of_sum(std::size_t i) const { return nodes_.nodes_of_sum(i); }
   bool makes_sum(std::size_t i) const { return nodes_.rank_of_sum(i) == ranks_.rank(); }
 
   /// Completes what a step has made of the chunks: forces and moments at the nodes that are followed, and
@@ -47,9 +44,6 @@ class RankShare {
   void complete(State& state);
   /// The nodes alone.
   void complete_nodes(State& state);
-
-  /// Bytes that this rank sends to all others in a step, without sums and contact.
-  std::size_t n_bytes_per_step() const;
 
  private:
   /// The places of a block's chunk sums that go from one rank to another.
