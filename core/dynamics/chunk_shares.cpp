@@ -2,8 +2,11 @@
 #include "core/dynamics/chunk_shares.hpp"
 
 #include <algorithm>
+#include <numeric>
+#include <span>
 
 #include "core/elements/element_table.hpp"
+#include "core/parallel/equal_shares.hpp"
 
 namespace contactsim {
 
@@ -22,31 +25,20 @@ double cost_of_batch(const ModelBlock& block) {
 
 ChunkShares::ChunkShares(std::span<const ModelBlock> blocks, int n_ranks) {
   std::vector<double> costs;
-  double all = 0.0;
   first_chunk_.push_back(0);
   for (const ModelBlock& block : blocks) {
     for (const BatchChunk& chunk : block.chunks) {
       costs.push_back(cost_of_batch(block) * static_cast<double>(chunk.n_batches));
-      all += costs.back();
     }
     first_chunk_.push_back(costs.size());
   }
-  begins_.assign(static_cast<std::size_t>(n_ranks) + 1, costs.size());
-  begins_.front() = 0;
-  double so_far = 0.0, largest = 0.0, of_rank = 0.0;
-  std::size_t rank = 1;
-  for (std::size_t chunk = 0; chunk < costs.size(); ++chunk) {
-    // The rank ends where its end is nearest to its part of the work.
-    while (rank < begins_.size() - 1 &&
-           so_far + 0.5 * costs[chunk] >= all * static_cast<double>(rank) / static_cast<double>(n_ranks)) {
-      begins_[rank++] = chunk;
-      largest = std::max(largest, of_rank);
-      of_rank = 0.0;
-    }
-    so_far += costs[chunk];
-    of_rank += costs[chunk];
+  begins_ = equal_shares(costs, n_ranks);
+  const double all = std::accumulate(costs.begin(), costs.end(), 0.0);
+  double largest = 0.0;
+  for (std::size_t rank = 0; rank + 1 < begins_.size(); ++rank) {
+    const auto own = std::span(costs).subspan(begins_[rank], begins_[rank + 1] - begins_[rank]);
+    largest = std::max(largest, std::accumulate(own.begin(), own.end(), 0.0));
   }
-  largest = std::max(largest, of_rank);
   if (all > 0.0) imbalance_ = largest * static_cast<double>(n_ranks) / all - 1.0;
 }
 

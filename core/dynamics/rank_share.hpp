@@ -72,9 +72,7 @@ void RankShare::complete_sums(std::vector<Sum>& sums) {
   std::vector<Sum> sorted;
   sorted.reserve(sums.size());
   for (const std::uint32_t i : sums_by_rank_) sorted.push_back(sums[i]);
-  std::vector<std::size_t> begins;
-  for (const std::size_t first : first_sum_) begins.push_back(first * sizeof(Sum));
-  ranks_.gather(std::as_writable_bytes(std::span(sorted)), begins);
+  ranks_.gather_items(std::span(sorted), first_sum_);
   for (std::size_t k = 0; k < sorted.size(); ++k) sums[sums_by_rank_[k]] = sorted[k];
 }
 

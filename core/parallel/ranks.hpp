@@ -40,6 +40,15 @@ class Ranks {
   /// Ends the processes of all ranks.
   [[noreturn]] virtual void abort(int exit_code) = 0;
 
+  /// gather() of items that hold no pointers.
+  ///   begins  [count + 1] where the items of each rank begin, the same on all ranks
+  template <class Item>
+  void gather_items(std::span<Item> all, std::span<const std::size_t> begins) {
+    std::vector<std::size_t> in_bytes;
+    for (const std::size_t begin : begins) in_bytes.push_back(begin * sizeof(Item));
+    gather(std::as_writable_bytes(all), in_bytes);
+  }
+
   /// The value of rank 0.
   template <class Value>
   Value of_root(Value value) {
@@ -55,8 +64,8 @@ class Ranks {
     std::vector<Value> values(static_cast<std::size_t>(count_), value);
     if (!are_several()) return values;
     std::vector<std::size_t> begins;
-    for (std::size_t i = 0; i <= values.size(); ++i) begins.push_back(i * sizeof(Value));
-    gather(std::as_writable_bytes(std::span(values)), begins);
+    for (std::size_t i = 0; i <= values.size(); ++i) begins.push_back(i);
+    gather_items(std::span(values), begins);
     return values;
   }
 
