@@ -34,7 +34,7 @@ std::vector<NodeIndex> untied_nodes(std::span<const UntiedPart> parts) {
 
 }  // namespace
 
-RunContact::RunContact(const RunInput& input, const Model& model)
+RunContact::RunContact(const RunInput& input, const Model& model, Ranks& ranks)
     : input_(input),
       model_(model),
       mesh_(input.mesh),
@@ -42,7 +42,8 @@ RunContact::RunContact(const RunInput& input, const Model& model)
       untied_(find_untied_parts(contact_, mesh_, input.region.contact->dash)),
       offset_overlaps_(find_offset_overlaps(input)),
       force_(ContactSetup{*input.region.contact, contact_, model,
-                          input.procedure.time_control->time_stepping_blocks, input.definition.functions}),
+                          input.procedure.time_control->time_stepping_blocks, input.definition.functions,
+                          ranks}),
       begins_pressed_(input.earlier != nullptr && !input.procedure.transfers.empty() &&
                       input.earlier->contact_force() != nullptr),
       output_(force_, contact_, model),

@@ -30,8 +30,8 @@ struct RunContactCheckpoint {
 /// All that a run has because its region has a contact definition.
 class RunContact {
  public:
-  /// Both must outlive this. Precondition: input.contact is there.
-  RunContact(const RunInput& input, const Model& model);
+  /// All must outlive this. Precondition: input.contact is there.
+  RunContact(const RunInput& input, const Model& model, Ranks& ranks);
 
   ContactForce& force() { return force_; }
   const ContactForce& force() const { return force_; }

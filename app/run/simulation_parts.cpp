@@ -40,10 +40,10 @@ Setup set_up_or_stop(const RunInput& input, Diagnostics& diagnostics) {
   return setup;
 }
 
-std::unique_ptr<RunContact> make_contact(const RunInput& input, const Model& model) {
+std::unique_ptr<RunContact> make_contact(const RunInput& input, const Model& model, Ranks& ranks) {
   if (input.contact == nullptr) return nullptr;
   return tell_lack_of_memory("making contact faces and their search",
-                             [&] { return std::make_unique<RunContact>(input, model); });
+                             [&] { return std::make_unique<RunContact>(input, model, ranks); });
 }
 
 std::unique_ptr<RunDeath> make_death(const ConditionScope& scope, Setup& setup, const OutputPlan& outputs,
@@ -91,7 +91,7 @@ Simulation::Parts::Parts(const RunInput& run_input, RunSettings run_settings, Di
       setup(set_up_or_stop(input, diagnostics)),
       scope{input.definition, input.region, input.procedure.time_control->time_stepping_blocks, input.mesh,
             diagnostics},
-      contact(make_contact(input, setup.model)),
+      contact(make_contact(input, setup.model, settings.ranks)),
       outputs(scope, setup.model,
               output_settings(input, settings, contact.get(), [this] { complete_state(); })),
       death(make_death(scope, setup, outputs, contact.get())),

@@ -10,8 +10,10 @@ ContactDetection::ContactDetection(const ContactSetup& setup, const ContactMesh&
       contact_mesh_(contact_mesh),
       rules_(rules),
       search_(contact_mesh, *setup.model.mesh, rules, setup.definition.search, setup.definition.dash,
-              setup.model.rigid.nodes.body_of),
-      formulations_({contact_mesh, setup.contact, rules}) {}
+              setup.model.rigid.nodes.body_of, setup.ranks),
+      formulations_({contact_mesh, setup.contact, rules}) {
+  for_each_of_points(formulations_, [&](const auto&) { narrow_phases_.emplace_back(setup.ranks); });
+}
 
 void ContactDetection::find_candidates(const Motion& motion, ContactKinematics& kinematics) {
   kinematics.bound_all();

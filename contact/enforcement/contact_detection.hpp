@@ -104,7 +104,7 @@ class ContactDetection {
   const PairRules& rules_;
   ContactSearch search_;
   ContactFormulations formulations_;
-  NarrowPhase narrow_phase_;
+  std::vector<NarrowPhase> narrow_phases_;  // of each that finds contact points
   DecayingConstraints decaying_;
   bool has_new_surfaces_ = false;  // a search has to follow
 };
@@ -118,8 +118,10 @@ std::vector<ContactPoint> ContactDetection::visit_points(const ContactStepContex
     const bool may_glue = point.is_met() && !point.is_of_edges;
     if (may_glue && rules_.of(point).law == ContactLaw::glued) to_glue.push_back(point);
   };
-  for_each_of_points(formulations_,
-                     [&](auto& formulation) { narrow_phase_.visit_points(formulation, context, take_one); });
+  auto narrow_phase = narrow_phases_.begin();
+  for_each_of_points(formulations_, [&](auto& formulation) {
+    narrow_phase++->visit_points(formulation, context, take_one);
+  });
   return to_glue;
 }
 

@@ -9,6 +9,7 @@
 #include "core/definition/function.hpp"
 #include "core/definition/time_control.hpp"
 #include "core/dynamics/model.hpp"
+#include "core/parallel/ranks.hpp"
 
 namespace contactsim {
 
@@ -19,6 +20,7 @@ struct ContactSetup {
   const Model& model;
   std::span<const TimeSteppingBlock> time_stepping_blocks;  ///< the periods of the procedure
   std::span<const FunctionDefinition> functions = {};       ///< that friction models name
+  Ranks& ranks = one_rank();                                ///< which detect contact points together
 
   /// Of load steps, which no mass has a part in.
   bool is_static() const { return definition.enforcement.is_static; }

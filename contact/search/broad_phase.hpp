@@ -32,6 +32,9 @@ struct BroadPhaseCounts {
 /// Finds which boxes of a moving set meet which of its own or of another set.
 class BroadPhase {
  public:
+  /// Ranks must outlive it; they search together.
+  explicit BroadPhase(Ranks& ranks = one_rank()) : ranks_(&ranks) {}
+
   /// Takes the boxes as they are now: fits the tree to them, or builds it anew at the first use, when their
   /// number has changed, or when searches have come to take a fifth more visits than after the last build.
   /// Returns the number of the first box that is not sound (see is_sound); the next search needs sound ones
@@ -66,14 +69,14 @@ class BroadPhase {
 
   /// Lists the partners of each of these boxes among the others: all that overlap and for which
   /// keep(row, partner) holds. Boxes closer than one part in 10^7 of their coordinates may count as
-  /// overlapping unless keep looks. The result is the same for any number of threads; keep is called from
-  /// several at once.
+  /// overlapping unless keep looks. The result is the same for any number of threads and ranks; keep is
+  /// called from several at once.
   ///   partners  another broad phase, not this one
   ///   lists     overwritten, its memory reused; a row for each of these boxes
   template <class Keep>
   void find_pairs(BroadPhase& partners, const Keep& keep, PairTable& lists) {
     assert(&partners != this);
-    const auto parts = find_bvh_pairs<false>(tree_, partners.tree_, keep);
+    const auto parts = find_bvh_pairs<false>(tree_, partners.tree_, keep, *ranks_);
     list_pairs(parts, tree_.n_boxes(), lists);
     partners.note_effort(count_search(parts, lists.partners.size(), partners.tree_.n_boxes()));
   }
@@ -81,7 +84,7 @@ class BroadPhase {
   /// The same among these boxes, each pair once: partners have greater numbers than their row.
   template <class Keep>
   void find_pairs(const Keep& keep, PairTable& lists) {
-    const auto parts = find_bvh_pairs<true>(tree_, tree_, keep);
+    const auto parts = find_bvh_pairs<true>(tree_, tree_, keep, *ranks_);
     list_pairs(parts, tree_.n_boxes(), lists);
     count_search(parts, lists.partners.size(), 0);
   }
@@ -115,6 +118,7 @@ class BroadPhase {
   void note_effort(double effort) { effort_ = std::max(effort_, effort); }
   bool is_slow() const;
 
+  Ranks* ranks_;
   BoxTree tree_;
   BroadPhaseCounts counts_;
   double effort_ = 0.0;  ///< visits per box and overlap since the last update, the greatest [1]

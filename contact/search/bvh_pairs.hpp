@@ -8,6 +8,7 @@
 
 #include "contact/mesh/pair_lists.hpp"
 #include "contact/search/box_tree.hpp"
+#include "contact/search/search_share.hpp"
 #include "contact/search/traversal_stack.hpp"
 #include "core/base/threads.hpp"
 
@@ -132,19 +133,23 @@ class BvhPairs {
   const BoxNode* partners_;
 };
 
-/// All pairs of boxes of two trees that overlap and that keep(row, partner) holds for, in parts whose number
-/// and content do not depend on the number of threads.
-///   keep  called from several threads at once
+/// All pairs of boxes of two trees that overlap and that keep(row, partner) holds for, in parts. Which pairs
+/// these are, and how many were looked at, does not depend on the number of threads and ranks.
+///   keep   called from several threads at once
+///   ranks  which search together
 template <bool is_self, class Keep>
-std::vector<FoundPairs> find_bvh_pairs(const BoxTree& rows, const BoxTree& partners, const Keep& keep) {
+std::vector<FoundPairs> find_bvh_pairs(const BoxTree& rows, const BoxTree& partners, const Keep& keep,
+                                       Ranks& ranks = one_rank()) {
   std::vector<FoundPairs> parts;
   if (rows.nodes.empty() || partners.nodes.empty()) return parts;
   const BvhPairs<is_self> walk(rows, partners);
   const std::vector<BvhNodePair> tops = walk.cut();
+  const SearchShare share(ranks, rows.n_boxes());
   parts.resize(tops.size());
-  parallel_for_uneven(tops.size(), threads_for(rows.nodes.size()),
-                      [&](std::size_t i) { walk.find_below(tops[i], keep, parts[i]); });
-  return parts;
+  parallel_for_uneven(tops.size(), threads_for(rows.nodes.size()), [&](std::size_t i) {
+    if (share.has(i)) walk.find_below(tops[i], keep, parts[i]);
+  });
+  return share.gather(std::move(parts));
 }
 
 }  // namespace contactsim

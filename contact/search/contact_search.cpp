@@ -47,13 +47,16 @@ double depth_of(std::span<const float> depths, AnIndex i) {
 
 ContactSearch::ContactSearch(const ContactMesh& contact_mesh, const Mesh& mesh, const PairRules& rules,
                              const SearchOptions& search, const DashOptions& dash,
-                             std::span<const OptionalIndex<std::uint32_t>> body_of)
+                             std::span<const OptionalIndex<std::uint32_t>> body_of, Ranks& ranks)
     : contact_mesh_(contact_mesh),
       mesh_(mesh),
       rules_(rules),
       is_once_(search.global_search_once),
       length_scaling_(dash.search_length_scaling),
-      filter_(contact_mesh, mesh, rules, is_once_, body_of) {
+      filter_(contact_mesh, mesh, rules, is_once_, body_of),
+      faces_phase_(ranks),
+      nodes_phase_(ranks),
+      edges_phase_(ranks) {
   for (const PairRule& rule : rules.rules()) {
     const bool is_node_face = rule.pair->formulation == ConstraintFormulation::node_face;
     (is_node_face ? has_node_pairs_ : has_face_pairs_) = true;

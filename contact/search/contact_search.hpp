@@ -31,9 +31,10 @@ class ContactSearch {
   /// All must outlive this.
   ///   body_of  [n_nodes] the rigid body of each node of the mesh, if any, or empty: what belongs to one
   ///            body never meets
+  ///   ranks    which search together
   ContactSearch(const ContactMesh& contact_mesh, const Mesh& mesh, const PairRules& rules,
                 const SearchOptions& search, const DashOptions& dash,
-                std::span<const OptionalIndex<std::uint32_t>> body_of = {});
+                std::span<const OptionalIndex<std::uint32_t>> body_of = {}, Ranks& ranks = one_rank());
 
   /// Goes over to other faces and nodes, which stand where `faces` of the constructor stood already. A search
   /// has to follow.

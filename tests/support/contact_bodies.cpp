@@ -45,7 +45,7 @@ std::string general_contact(const std::string& more, const std::string& surfaces
 }
 
 ContactBodies::ContactBodies(const MeshBuilder& builder, const Region& given, const std::string& defined,
-                             std::vector<TimeSteppingBlock> periods)
+                             std::vector<TimeSteppingBlock> periods, Ranks& ranks)
     : mesh(builder.build()),
       region(given),
       functions(parse_definitions(defined).functions),
@@ -57,7 +57,7 @@ ContactBodies::ContactBodies(const MeshBuilder& builder, const Region& given, co
       forces(Eigen::Matrix3Xd::Zero(3, x.cols())),
       turning(v),
       moments(model.inertia),
-      contact({*region.contact, definition, model, time_stepping_blocks, functions}) {}
+      contact({*region.contact, definition, model, time_stepping_blocks, functions, ranks}) {}
 
 Region ContactBodies::with_contact(const std::string& lines) {
   Region region;

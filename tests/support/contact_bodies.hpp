@@ -21,11 +21,13 @@ class ContactBodies {
  public:
   /// Throws std::logic_error when the deck has errors.
   ///   function_lines  outside procedures, of functions that friction models name
+  ///   ranks           which detect contact together
   ContactBodies(const MeshBuilder& builder, const std::string& contact_lines,
-                const std::string& function_lines = "", std::vector<TimeSteppingBlock> periods = {})
-      : ContactBodies(builder, with_contact(contact_lines), function_lines, std::move(periods)) {}
+                const std::string& function_lines = "", std::vector<TimeSteppingBlock> periods = {},
+                Ranks& ranks = one_rank())
+      : ContactBodies(builder, with_contact(contact_lines), function_lines, std::move(periods), ranks) {}
   ContactBodies(const MeshBuilder& builder, const Region& region, const std::string& function_lines = "",
-                std::vector<TimeSteppingBlock> periods = {});
+                std::vector<TimeSteppingBlock> periods = {}, Ranks& ranks = one_rank());
   ContactBodies(const ContactBodies&) = delete;
   ContactBodies& operator=(const ContactBodies&) = delete;
 
