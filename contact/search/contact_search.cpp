@@ -52,6 +52,7 @@ ContactSearch::ContactSearch(const ContactMesh& contact_mesh, const Mesh& mesh, 
       mesh_(mesh),
       rules_(rules),
       is_once_(search.global_search_once),
+      ranks_(&ranks),
       length_scaling_(dash.search_length_scaling),
       filter_(contact_mesh, mesh, rules, is_once_, body_of),
       faces_phase_(ranks),
@@ -152,7 +153,7 @@ void ContactSearch::find_edge_pairs(const ContactKinematics& kinematics, const M
 void ContactSearch::finish(const ContactKinematics& kinematics) {
   ++n_searches_;
   filter_.set_first_search(false);
-  turned_away_.finish(kinematics);
+  turned_away_.finish(kinematics, *ranks_);
   margins_.start_at(contact_mesh_, kinematics);
 }
 

@@ -128,6 +128,7 @@ class ContactSearch {
   const Mesh& mesh_;
   const PairRules& rules_;
   bool is_once_;
+  Ranks* ranks_;
   double length_scaling_;
   bool has_face_pairs_ = false, has_node_pairs_ = false, has_small_sliding_ = false;
   bool has_eroded_nodes_ = false;

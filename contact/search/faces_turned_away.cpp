@@ -45,7 +45,8 @@ bool FacesTurnedAway::are(const ContactKinematics& kinematics, FaceIndex a, Face
   return true;
 }
 
-void FacesTurnedAway::finish(const ContactKinematics& kinematics) {
+void FacesTurnedAway::finish(const ContactKinematics& kinematics, Ranks& ranks) {
+  ranks.unite(marks_);
   watched_.clear();
   for (const FaceIndex face : indices(marks_)) {
     if (marks_[face] != 0) watched_.push_back(face);

@@ -6,6 +6,7 @@
 #include "contact/mesh/contact_kinematics.hpp"
 #include "core/base/bytes_of.hpp"
 #include "core/base/indexed_vector.hpp"
+#include "core/parallel/ranks.hpp"
 
 namespace contactsim {
 
@@ -22,8 +23,8 @@ class FacesTurnedAway {
   /// Whether two faces will not face each other until have_turned(); both are watched then. May be called by
   /// several threads.
   bool are(const ContactKinematics& kinematics, FaceIndex a, FaceIndex b);
-  /// Ends a search: turns count from here.
-  void finish(const ContactKinematics& kinematics);
+  /// Ends a search, which ranks may have made together: turns count from here.
+  void finish(const ContactKinematics& kinematics, Ranks& ranks = one_rank());
   /// Whether a watched face has turned too far for what are() has said.
   bool have_turned(const ContactKinematics& kinematics) const;
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <span>
 #include <type_traits>
 #include <vector>
@@ -48,6 +49,10 @@ class Ranks {
     for (const std::size_t begin : begins) in_bytes.push_back(begin * sizeof(Item));
     gather(std::as_writable_bytes(all), in_bytes);
   }
+
+  /// Marks on all ranks what any of them has marked.
+  ///   marks  [n] 0 or 1, n the same on all ranks
+  void unite(std::span<std::uint8_t> marks);
 
   /// The value of rank 0.
   template <class Value>

@@ -73,6 +73,7 @@ TEST_CASE("forces of contact have the same bits on every rank as on one alone", 
     const std::lock_guard lock(checking);
     CHECK(together.forces == alone.forces);
     CHECK(work_together == work);
+    CHECK(together.contact.search().bytes() == alone.contact.search().bytes());
     CHECK(together.contact.search().face_counts().visits == alone.contact.search().face_counts().visits);
   });
 }

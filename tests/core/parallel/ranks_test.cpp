@@ -28,6 +28,21 @@ TEST_CASE("ranks know the value of the root and those of all", "[core][ranks]") 
   CHECK(n_right == 3);
 }
 
+TEST_CASE("what any rank marks is marked on all", "[core][ranks]") {
+  constexpr std::size_t n = 150;  // more than two words, the last one not full
+  std::atomic<int> n_right = 0;
+  ThreadRanks(3).run([&](Ranks& ranks) {
+    std::vector<std::uint8_t> marks(n, 0), expected(n, 0);
+    for (std::size_t i = 0; i < n; ++i) {
+      marks[i] = i % 5 == static_cast<std::size_t>(ranks.rank()) ? 1 : 0;
+      expected[i] = i % 5 < 3 ? 1 : 0;
+    }
+    ranks.unite(marks);
+    n_right += marks == expected ? 1 : 0;
+  });
+  CHECK(n_right == 3);
+}
+
 TEST_CASE("what the root alone does fails on all ranks", "[core][ranks]") {
   std::atomic<int> n_done = 0, n_failed = 0;
   ThreadRanks(3).run([&](Ranks& ranks) {
