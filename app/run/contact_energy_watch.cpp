@@ -61,8 +61,10 @@ void ContactEnergyWatch::step(const ContactForce& force, double of_overlaps, con
   // What comes out of overlaps by itself is not worth a word: all of the mass at a millionth of the model's
   // size in a step.
   constexpr double of_round_off = 1e-6 / std::numeric_limits<double>::epsilon();
-  const double negligible = of_round_off * of_round_off * energy_of_round_off(model, state.dt);
-  const bool runs_away = made > std::max(put_in, negligible);
+  const auto is_negligible = [&] {
+    return made <= of_round_off * of_round_off * energy_of_round_off(model, state.dt);
+  };
+  const bool runs_away = made > put_in && !is_negligible();
   n_runaway_steps_ = runs_away ? n_runaway_steps_ + 1 : 0;
   if (n_runaway_steps_ < longest_runaway || contact.pairs.empty()) return;
   const PairIndex culprit = find_culprit(force.histories());

@@ -61,10 +61,6 @@ class NodeRanges {
   /// Sets values to zero.
   ///   values  [3 x n_nodes]
   void set_zero(Eigen::Matrix3Xd& values) const {
-    if (are_all_) {
-      values.setZero();
-      return;
-    }
     visit([&](std::int64_t begin, std::int64_t end) { values.middleCols(begin, end - begin).setZero(); });
   }
 
