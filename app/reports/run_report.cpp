@@ -50,6 +50,15 @@ std::string format_model(const Model& model, const StepReport& at_start) {
   return text + "\n";
 }
 
+std::string format_ranks(const RankTraffic& traffic) {
+  return fmt::format(
+      "  {} ranks: {:.1f} % of the nodes are followed by several; the busiest has {:.1f} % more than its "
+      "part "
+      "of the elements and sends {} bytes in {} message{} a step\n",
+      traffic.n_ranks, 100.0 * traffic.shared_nodes, 100.0 * traffic.imbalance, traffic.bytes_sent,
+      traffic.n_messages, traffic.n_messages == 1 ? "" : "s");
+}
+
 std::string format_paths(std::span<const std::string> paths) {
   return paths.empty() ? "" : fmt::format("  writes {}\n", fmt::join(paths, ", "));
 }

@@ -17,6 +17,9 @@ namespace contactsim {
 /// Blocks with elements, formulation, law and mass; totals; the stable step at the start and what sets it.
 std::string format_model(const Model& model, const StepReport& at_start);
 
+/// How ranks share the run, and what they send in a step.
+std::string format_ranks(const RankTraffic& traffic);
+
 /// The files that the run writes; "" when there are none.
 std::string format_paths(std::span<const std::string> paths);
 

@@ -201,6 +201,10 @@ const std::optional<std::string>& Simulation::stopped_by() const { return parts_
 double Simulation::seconds() const { return parts_->whole_seconds; }
 std::vector<PartTime> Simulation::part_times() const { return parts_->times(); }
 
+std::optional<RankTraffic> Simulation::rank_traffic() const {
+  return parts_->share ? std::optional(parts_->share->traffic()) : std::nullopt;
+}
+
 const ContactForce* Simulation::contact_force() const {
   return parts_->contact ? &parts_->contact->force() : nullptr;
 }

@@ -15,6 +15,7 @@
 #include "core/base/errors.hpp"
 #include "core/dynamics/integrator.hpp"
 #include "core/dynamics/model.hpp"
+#include "core/dynamics/rank_traffic.hpp"
 #include "core/dynamics/state.hpp"
 #include "core/dynamics/time_step.hpp"
 #include "core/output/termination.hpp"
@@ -101,7 +102,8 @@ class Simulation {
   const Model& model() const;
   const State& state() const;
   const TimeStepControl& control() const;
-  const ContactForce* contact_force() const;  ///< null without contact
+  std::optional<RankTraffic> rank_traffic() const;  ///< of explicit procedures on several ranks
+  const ContactForce* contact_force() const;        ///< null without contact
   ContactForce* contact_force();
   const LoadSteps* load_steps() const;        ///< null in explicit procedures
   const ContactModel* contact_model() const;  ///< of the living elements; null without contact

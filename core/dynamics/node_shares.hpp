@@ -24,9 +24,9 @@ class NodeShares {
   ///   everywhere  nodes that all ranks follow, besides those that are held, driven or rigid
   NodeShares(const Model& model, const ChunkShares& chunks, std::span<const NodeIndex> everywhere);
 
-  bool follows(int rank, std::uint32_t node) const {
-    return (followed_by_[node / granule] >> rank & 1U) != 0;
-  }
+  bool follows(int rank, std::uint32_t node) const { return (followers(node) >> rank & 1U) != 0; }
+  /// The ranks that follow a node, a bit of each; of nodes that all follow the bits beyond too.
+  std::uint64_t followers(std::uint32_t node) const { return followed_by_[node / granule]; }
   /// All nodes that a rank follows.
   std::vector<NodeRange> followed(int rank) const;
   /// Those whose sums other ranks make.

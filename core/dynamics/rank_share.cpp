@@ -67,8 +67,8 @@ void RankShare::find_places() {
 std::size_t RankShare::message_size(int from, const Places& places) const {
   std::size_t size = 0;
   for (std::size_t b = 0; b < model_.blocks.size(); ++b) {
-    const std::size_t per_place = model_.blocks[b].element->has_rotations ? 2 * vector_size : vector_size;
-    size += chunks_.of(from, b).size() * sizeof(ChunkStep) + places[b].size() * per_place;
+    size +=
+        chunks_.of(from, b).size() * sizeof(ChunkStep) + places[b].size() * bytes_of_place(model_.blocks[b]);
   }
   return size;
 }

@@ -8,6 +8,7 @@
 #include "core/dynamics/chunk_shares.hpp"
 #include "core/dynamics/model.hpp"
 #include "core/dynamics/node_shares.hpp"
+#include "core/dynamics/rank_traffic.hpp"
 #include "core/elements/element_table.hpp"
 #include "core/parallel/ranks.hpp"
 
@@ -29,6 +30,8 @@ class RankShare {
   const NodeRanges& followed() const { return followed_; }
   /// Those of them whose sums other ranks make.
   const NodeRanges& others_followed() const { return others_followed_; }
+  /// What a step sends.
+  RankTraffic traffic() const { return find_traffic(model_, chunks_, nodes_); }
   bool makes_sum(std::size_t i) const { return nodes_.rank_of_sum(i) == ranks_.rank(); }
 
   /// Completes what a step has made of the chunks: forces and moments at the nodes that are followed, and

@@ -80,7 +80,9 @@ def bytes_are_those_of_one_process(runs):
         more, result = runs.run(f"{n_ranks}_ranks", n_ranks)
         check(result.returncode == 0, result.stderr)
         compare(one, more)
-        check(f"  ranks      {n_ranks}\n" in (more / "run.log").read_text(), "the log does not say the ranks")
+        log = (more / "run.log").read_text()
+        check(f"  ranks      {n_ranks}\n" in log, "the log does not say the ranks")
+        check(re.search(rf"^  {n_ranks} ranks: \d+\.\d % of the nodes", log, re.MULTILINE), "it does not say what they share")
 
 
 def restarts_go_on_with_other_ranks(runs):

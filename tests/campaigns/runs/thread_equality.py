@@ -17,13 +17,14 @@ from running import run
 from samples import Samples, ask_for_more, go_on_in_another, shorten
 
 CLOCK = re.compile(r"^.*( s +\d+\.\d %|per second| s of the clock ).*$", re.MULTILINE)
+RANKS = re.compile(r"^  \d+ ranks: .*\n", re.MULTILINE)
 OF_A_RUN = {"printed.txt", "command.txt"}
 THREADS = (2, 3, 4, 7)
 
 
 def told(log):
-    """What a log tells but for the clock and the command."""
-    text = CLOCK.sub("", log.read_text(errors="replace"))
+    """What a log tells but for the clock, the command and how ranks share the run."""
+    text = RANKS.sub("", CLOCK.sub("", log.read_text(errors="replace")))
     return text.partition("\n  host ")[2].partition("\n")[2]
 
 
