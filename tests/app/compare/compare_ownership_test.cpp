@@ -7,6 +7,8 @@
 
 using namespace contactsim;
 
+namespace compare_ownership_test {
+
 namespace {
 
 constexpr const char* header = "surface,block,element,side,kind,area\n";
@@ -92,3 +94,5 @@ TEST_CASE("names with commas, quotes and blanks are compared as they are", "[app
   CHECK(texts("\"a, \"\"x\"\"\",b,1,1,face,1\nc d,b,2,1,face,1\n", "c d,b,1,1,face,1\nc d,b,2,1,face,1\n") ==
         Lines{"only in the first: surface 'a, \"x\"'", "moved: 1 facet from 'a, \"x\"' to 'c d', area 1"});
 }
+
+}  // namespace compare_ownership_test

@@ -12,6 +12,8 @@ using contactsim::Mesh;
 using contactsim::test::MeshBuilder;
 using contactsim::test::ProgramDirectory;
 
+namespace honest_start_test {
+
 namespace {
 
 constexpr const char* general = "begin interaction defaults\ngeneral contact = on\nend\n";
@@ -262,3 +264,5 @@ TEST_CASE("a smoothed surface that is strained by more than a tenth is reported"
   const bool is_reported = err.find("[smoothing-strained]") != std::string::npos;
   CHECK(is_reported == (way > 0.1));
 }
+
+}  // namespace honest_start_test

@@ -15,6 +15,8 @@ using contactsim::test::csv_column;
 using contactsim::test::MeshBuilder;
 using contactsim::test::ProgramDirectory;
 
+namespace procedures_test {
+
 namespace {
 
 struct Times {
@@ -218,3 +220,5 @@ TEST_CASE("TERMINATE TYPE says whether the procedures behind are run", "[app][pr
   CHECK(code == 0);
   CHECK_THAT(out, Contains("The run ends here") && Contains("\nThe procedure hold is not run.\n"));
 }
+
+}  // namespace procedures_test

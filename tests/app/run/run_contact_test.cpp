@@ -23,7 +23,7 @@ struct ContactOfRun : TwoCubeInput {
       : TwoCubeInput(of, two_cube_deck(text_of({.region = two_cube_contact(of_contact)}))),
         model(make_model(definition, region(), mesh, diagnostics)),
         run_input((overlaps = find_start_overlaps(*contact, mesh, *region().contact), input())),
-        run(run_input, model),
+        run(run_input, model, one_rank()),
         state(make_state(mesh.coordinates(), model.blocks, 0.0)),
         elements(mesh),
         faces(mesh, elements),

@@ -23,6 +23,8 @@ using contactsim::test::MeshBuilder;
 using contactsim::test::ProgramDirectory;
 using contactsim::test::read_times;
 
+namespace simulation_test {
+
 namespace {
 
 /// A directory with a unit cube of elastic hexahedra and a deck that pulls it.
@@ -170,3 +172,5 @@ TEST_CASE("a simulation of a wrong definition throws all errors", "[app][simulat
                  cubes.diagnostics),
       contactsim::DeckError);
 }
+
+}  // namespace simulation_test

@@ -16,6 +16,8 @@ using contactsim::Mesh;
 using contactsim::test::MeshBuilder;
 using contactsim::test::ProgramDirectory;
 
+namespace start_warnings_test {
+
 namespace {
 
 const std::string adhesive = "begin adhesion model sticky\nadhesion function = pull\nend\n",
@@ -276,3 +278,5 @@ TEST_CASE("contact that runs away ends the run with code 4 and results that can 
   CHECK(contactsim::read_mesh(deck.path("a.e"), warnings).n_elements() == 2);
   CHECK(warnings.empty());
 }
+
+}  // namespace start_warnings_test

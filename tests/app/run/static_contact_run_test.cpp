@@ -11,6 +11,8 @@ using Catch::Matchers::Contains;
 using contactsim::test::MeshBuilder;
 using contactsim::test::ProgramDirectory;
 
+namespace static_contact_run_test {
+
 namespace {
 
 /// A directory with a small block on a larger one that is pressed down and pushed along.
@@ -238,3 +240,5 @@ TEST_CASE("a step that is cut back has all updates of multipliers again", "[app]
   CHECK(code == 0);
   CHECK_THAT(out, Contains(" 1        1"));  // cutbacks and updates
 }
+
+}  // namespace static_contact_run_test

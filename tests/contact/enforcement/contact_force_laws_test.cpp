@@ -6,6 +6,8 @@ using namespace contactsim;
 using namespace contactsim::test;
 using Eigen::Vector3d;
 
+namespace contact_force_laws_test {
+
 namespace {
 
 const std::string stiff = "penalty stiffness = 1000\n", node_face = "constraint formulation = node_face\n";
@@ -114,3 +116,5 @@ TEST_CASE("contact acts in its periods only, ties too", "[contact][contact_force
   CHECK(force.points().empty());
   for (const ConstraintForces& held : force.constraint_forces()) CHECK(held.forces.forces.norm() == 0.0);
 }
+
+}  // namespace contact_force_laws_test

@@ -12,6 +12,8 @@ using namespace contactsim;
 using namespace contactsim::test;
 using Eigen::Vector3d;
 
+namespace contact_force_reach_test {
+
 namespace {
 
 const std::string stiff = "penalty stiffness = 1e4\n", tied = "friction model = tied\n",
@@ -205,3 +207,5 @@ TEST_CASE("a far partner of the start is found by SEARCH DISTANCE",
   move(bodies, {0, 0, -0.51});
   CHECK(lift(bodies) == Approx(has_distance ? 100.0 : 0.0).epsilon(0.01));
 }
+
+}  // namespace contact_force_reach_test

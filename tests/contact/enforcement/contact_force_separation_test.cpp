@@ -10,6 +10,8 @@ using namespace contactsim;
 using namespace contactsim::test;
 using Eigen::Vector3d;
 
+namespace contact_force_separation_test {
+
 namespace {
 
 const std::string held = "penalty stiffness = 1e4\nseparation = off\n";
@@ -147,3 +149,5 @@ TEST_CASE("momentum balance holds what has touched", "[contact][contact_force][s
   CHECK(of_cube / n_cube < 0.07);
   CHECK(of_plate > 0.01);
 }
+
+}  // namespace contact_force_separation_test

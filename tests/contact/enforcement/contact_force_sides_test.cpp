@@ -9,6 +9,8 @@ using namespace contactsim;
 using namespace contactsim::test;
 using Eigen::Vector3d;
 
+namespace contact_force_sides_test {
+
 namespace {
 
 const std::string stiff = "penalty stiffness = 1e4\n";
@@ -101,3 +103,5 @@ TEST_CASE("without sides of an interaction all its shells have theirs", "[contac
   tops.ask();
   CHECK(tops.force_size() == 0.0);
 }
+
+}  // namespace contact_force_sides_test

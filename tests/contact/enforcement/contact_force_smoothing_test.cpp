@@ -17,6 +17,8 @@ using namespace contactsim;
 using namespace contactsim::test;
 using Eigen::Vector3d;
 
+namespace contact_force_smoothing_test {
+
 namespace {
 
 constexpr double width = 0.2, interference = 1e-3, stiffness = 1e6;
@@ -207,3 +209,5 @@ TEST_CASE("rings that overlap by their facets alone do not overlap at the start"
   const Modelled faceted = make_model(mesh, general_contact());
   CHECK_FALSE(find_start_overlaps(faceted, mesh, parse_contact(general_contact())).empty());
 }
+
+}  // namespace contact_force_smoothing_test

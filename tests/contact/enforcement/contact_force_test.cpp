@@ -11,6 +11,8 @@ using namespace contactsim;
 using namespace contactsim::test;
 using Eigen::Vector3d;
 
+namespace contact_force_test {
+
 namespace {
 
 const std::string stiff = "penalty stiffness = 1000\n", node_face = "constraint formulation = node_face\n";
@@ -207,3 +209,5 @@ TEST_CASE("a hit of few steps keeps no energy, wherever its first and last one f
     CHECK(speed < 1.005);  // the next hit takes back what the last step of this one gives too much
   }
 }
+
+}  // namespace contact_force_test

@@ -12,6 +12,8 @@ using namespace contactsim;
 using namespace contactsim::test;
 using Eigen::Matrix3Xd;
 
+namespace contact_force_trial_test {
+
 namespace {
 
 /// Two plates that have just touched, of a quasi-static procedure, and trials from where they are.
@@ -280,3 +282,5 @@ TEST_CASE("multipliers grow by what penetrates and go on where contact was",
   plates.bodies.contact.give_up_trials();
   CHECK(plates.bodies.contact.multipliers().empty());
 }
+
+}  // namespace contact_force_trial_test

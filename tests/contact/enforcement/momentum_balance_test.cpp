@@ -12,6 +12,8 @@
 using namespace contactsim;
 using namespace contactsim::test;
 
+namespace momentum_balance_test {
+
 namespace {
 
 /// Two free blocks of unlike meshes, one above the other, that close by their velocities in the coming step.
@@ -237,3 +239,5 @@ TEST_CASE("momentum balance has the same bits with one thread and with two", "[c
   CHECK(first == two.forces_at({0.5, 0.1, -1.0}));
   omp_set_num_threads(before);
 }
+
+}  // namespace momentum_balance_test

@@ -7,6 +7,8 @@ using namespace contactsim;
 using Eigen::Vector3d;
 using Eigen::Vector4d;
 
+namespace facets_test {
+
 namespace {
 
 /// A square of edge 2 about the origin whose corners stand by this height above and below the plane in turns.
@@ -73,3 +75,5 @@ TEST_CASE("shares of a facet are shares of the corners at the same point", "[con
     CHECK((whole.x * of_face).isApprox(facet.face.x * shares));
   }
 }
+
+}  // namespace facets_test

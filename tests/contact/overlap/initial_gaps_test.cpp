@@ -9,6 +9,8 @@
 using namespace contactsim;
 using namespace contactsim::test;
 
+namespace initial_gaps_test {
+
 namespace {
 
 /// Two cubes, the second one above the first.
@@ -64,3 +66,5 @@ TEST_CASE("gaps to a plane are those of all nodes", "[contact][initial_gaps]") {
   CHECK(starts[{1}].smallest_gap == Approx(2.5 - 2.05));
   CHECK(starts[{2}].smallest_gap == Approx(0.05));
 }
+
+}  // namespace initial_gaps_test

@@ -10,6 +10,8 @@
 using namespace contactsim;
 using namespace contactsim::test;
 
+namespace overlap_of_lofts_test {
+
 namespace {
 
 constexpr double thickness = 0.1, radius = 0.1, depth = 0.02;
@@ -453,3 +455,5 @@ TEST_CASE("lofts have passes of their own, and keep overlap within their toleran
   CHECK(one.removed.n_passes == 1);
   CHECK(one.removed.moves.at(0).left <= 0.01 * depth);
 }
+
+}  // namespace overlap_of_lofts_test

@@ -7,6 +7,8 @@
 using namespace contactsim;
 using namespace contactsim::test;
 
+namespace overlap_removal_test {
+
 namespace {
 
 const std::string general_contact =
@@ -161,3 +163,5 @@ TEST_CASE("a mesh with other coordinates keeps all else", "[core][mesh]") {
   CHECK(moved.blocks().size() == mesh.blocks().size());
   CHECK(moved.find("tips") == mesh.find("tips"));
 }
+
+}  // namespace overlap_removal_test

@@ -7,6 +7,8 @@
 using namespace contactsim;
 using namespace contactsim::test;
 
+namespace untied_parts_test {
+
 namespace {
 
 /// A bar of 10 x 1 above another one, over gaps from 0 at x = 0 to 0.6 at x = 10.
@@ -66,3 +68,5 @@ TEST_CASE("what overhangs, looks away or is far is no part of a joint", "[contac
   CHECK_FALSE(part.is_partial());
   CHECK(part.nodes.empty());
 }
+
+}  // namespace untied_parts_test

@@ -18,6 +18,8 @@ using Eigen::Matrix3d;
 using Eigen::Matrix3Xd;
 using Eigen::Vector3d;
 
+namespace shell_conformance_test {
+
 namespace {
 
 constexpr ElasticModuli steel{160e9, 80e9};
@@ -236,3 +238,5 @@ TEST_CASE("a flat shell of any form has the membrane forces, moments and shear o
     }
   }
 }
+
+}  // namespace shell_conformance_test

@@ -6,6 +6,8 @@
 
 using namespace contactsim;
 
+namespace shell_section_test {
+
 namespace {
 
 DeckName named(const std::string& text) { return {text, {}}; }
@@ -63,3 +65,5 @@ TEST_CASE("a section's rule, points and lofting reach the shells", "[core][shell
   CHECK_FALSE(make_shell_settings(section, parameters, {}, diagnostics));
   CHECK(messages_of(diagnostics) == "there is no integration rule 'simpsons' of 2 points\n");
 }
+
+}  // namespace shell_section_test

@@ -12,6 +12,8 @@ using namespace contactsim;
 using namespace contactsim::test;
 using Eigen::Matrix3Xd;
 
+namespace shell_thickness_test {
+
 namespace {
 
 constexpr ElasticModuli steel{160e9, 80e9};
@@ -121,3 +123,5 @@ TEST_CASE("bulk viscosity resists the rate of a shell's area and shortens its st
     }
   }
 }
+
+}  // namespace shell_thickness_test

@@ -19,6 +19,8 @@
 using namespace contactsim;
 using namespace contactsim::test;
 
+namespace material_table_test {
+
 namespace {
 
 MaterialModel johnson_cook() {
@@ -242,3 +244,5 @@ TEST_CASE("an auxetic material's bounds hold without the help of its negative la
   CHECK((moduli.lambda() == 0.0).all());
   CHECK((moduli.shear == 30.0).all());
 }
+
+}  // namespace material_table_test

@@ -13,6 +13,8 @@ using namespace contactsim;
 using namespace contactsim::test;
 using Eigen::Matrix3d;
 
+namespace multilinear_hardening_test {
+
 namespace {
 
 constexpr ElasticModuli steel{160e9, 80e9};
@@ -155,3 +157,5 @@ TEST_CASE("the yield condition of a shell on a curve holds to round-off", "[core
                                      3.0 * (s[2] * s[2] + s[3] * s[3] + s[4] * s[4])(0));
   CHECK(von_mises == Approx(PiecewiseLinear(points).evaluate(state[6](0))).epsilon(4e-15));
 }
+
+}  // namespace multilinear_hardening_test

@@ -9,6 +9,8 @@ using namespace contactsim;
 using namespace contactsim::test;
 using Eigen::Matrix3d;
 
+namespace neo_hookean_test {
+
 namespace {
 
 constexpr double bulk = 10.0, shear = 3.0;
@@ -75,3 +77,5 @@ TEST_CASE("the neo-Hookean bounds hold for the tangent at any deformation, and e
     if (size == 0.0) CHECK(largest >= -1e-4 * bulk);
   }
 }
+
+}  // namespace neo_hookean_test

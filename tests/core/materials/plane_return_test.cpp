@@ -14,6 +14,8 @@
 
 using namespace contactsim;
 
+namespace plane_return_test {
+
 namespace {
 
 constexpr ElasticModuli steel{160e9, 80e9};
@@ -154,3 +156,5 @@ TEST_CASE("lanes that yield and lanes that do not may stand in one batch", "[cor
   CHECK(state.back()(0) == 0.0);
   CHECK(state.back()(7) > 0.0);
 }
+
+}  // namespace plane_return_test

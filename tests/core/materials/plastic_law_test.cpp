@@ -18,6 +18,8 @@
 using namespace contactsim;
 using namespace contactsim::test;
 
+namespace plastic_law_test {
+
 namespace {
 
 constexpr double dt = 1e-3;
@@ -217,3 +219,5 @@ TEST_CASE("elastic constants that give no stable material are refused", "[core][
   CHECK_THROWS_WITH(make_elastic_moduli(constants),
                     Catch::Contains("both must be positive") && Catch::Contains("shear modulus of inf"));
 }
+
+}  // namespace plastic_law_test

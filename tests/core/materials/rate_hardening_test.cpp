@@ -7,6 +7,8 @@
 
 using namespace contactsim;
 
+namespace rate_hardening_test {
+
 namespace {
 
 constexpr ElasticModuli steel{160e9, 80e9};
@@ -79,3 +81,5 @@ TEST_CASE("slow flow is that of the hardening at rest, whichever it is", "[core]
   CHECK(eqps > 0.01);
   CHECK(von_mises == Approx(expected).epsilon(1e-10));
 }
+
+}  // namespace rate_hardening_test

@@ -7,6 +7,8 @@
 
 using namespace contactsim;
 
+namespace tearing_test {
+
 namespace {
 
 constexpr ElasticModuli steel{160e9, 80e9};
@@ -169,3 +171,5 @@ TEST_CASE("a step of no time tears nothing, and a lane tears alone", "[core][mat
     if (lane != 5) CHECK(one.stress[3](lane) == 0.0);
   }
 }
+
+}  // namespace tearing_test

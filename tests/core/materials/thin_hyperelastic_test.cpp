@@ -11,6 +11,8 @@
 using namespace contactsim;
 using Eigen::Matrix3d;
 
+namespace thin_hyperelastic_test {
+
 namespace {
 
 constexpr ElasticModuli rubber{1000.0, 3.0};
@@ -160,3 +162,5 @@ TEST_CASE("a fibre has no stress across to round-off, whatever it suffers", "[co
     CHECK(fibre.stress[0](0) == solid.stress[0](0));
   }
 }
+
+}  // namespace thin_hyperelastic_test

@@ -9,6 +9,8 @@
 using namespace contactsim;
 using namespace contactsim::test;
 
+namespace single_values_test {
+
 namespace {
 
 using L = VariableLocation;
@@ -86,3 +88,5 @@ TEST_CASE("places that do not exist are said", "[core][output]") {
                                 "no global variable 'enthalpy' is known here"});
   CHECK(value_names(found.fields).empty());
 }
+
+}  // namespace single_values_test
