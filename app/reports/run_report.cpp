@@ -52,11 +52,11 @@ std::string format_model(const Model& model, const StepReport& at_start) {
 
 std::string format_ranks(const RankTraffic& traffic) {
   return fmt::format(
-      "  {} ranks: {:.1f} % of the nodes are followed by several; the busiest has {:.1f} % more than its "
-      "part "
-      "of the elements and sends {} bytes in {} message{} a step\n",
+      "  {} ranks: {:.1f} % of the nodes shared, the busiest has {:.1f} % more elements and sends {} bytes "
+      "to {} "
+      "a step\n",
       traffic.n_ranks, 100.0 * traffic.shared_nodes, 100.0 * traffic.imbalance, traffic.bytes_sent,
-      traffic.n_messages, traffic.n_messages == 1 ? "" : "s");
+      traffic.n_messages);
 }
 
 std::string format_paths(std::span<const std::string> paths) {

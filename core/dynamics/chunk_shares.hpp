@@ -28,6 +28,8 @@ class ChunkShares {
   int n_ranks() const { return static_cast<int>(begins_.size()) - 1; }
   /// The chunks of a block that a rank has.
   ChunkRange of(int rank, std::size_t block) const;
+  /// Where the chunks of each rank begin [n_ranks + 1] of all chunks.
+  std::span<const std::size_t> begins() const { return begins_; }
   /// Chunks of the blocks before.
   std::size_t first_chunk(std::size_t block) const { return first_chunk_[block]; }
   /// The share of the work that the busiest rank has beyond an equal one [1].

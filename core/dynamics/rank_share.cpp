@@ -59,27 +59,22 @@ void RankShare::find_places() {
       add(self, other, b, out_[i]);
       add(other, self, b, in_[i]);
     }
-    sent_[i].resize(message_size(self, out_[i]));
-    got_[i].resize(message_size(other, in_[i]));
+    sent_[i].resize(message_size(out_[i]));
+    got_[i].resize(message_size(in_[i]));
   }
 }
 
-std::size_t RankShare::message_size(int from, const Places& places) const {
+std::size_t RankShare::message_size(const Places& places) const {
   std::size_t size = 0;
-  for (std::size_t b = 0; b < model_.blocks.size(); ++b) {
-    size +=
-        chunks_.of(from, b).size() * sizeof(ChunkStep) + places[b].size() * bytes_of_place(model_.blocks[b]);
-  }
+  for (std::size_t b = 0; b < model_.blocks.size(); ++b)
+    size += places[b].size() * bytes_of_place(model_.blocks[b]);
   return size;
 }
 
 /// Calls item(address, size) for all that a message holds, in its order.
 template <class Item>
-void RankShare::visit(int from, const Places& places, std::span<ChunkStep> steps, State& state,
-                      const Item& item) const {
+void RankShare::visit(const Places& places, State& state, const Item& item) const {
   for (std::size_t b = 0; b < model_.blocks.size(); ++b) {
-    const ChunkRange chunks = chunks_.of(from, b);
-    item(steps.data() + chunks_.first_chunk(b) + chunks.begin, chunks.size() * sizeof(ChunkStep));
     ModelBlockState& block = state.blocks[b];
     for (const std::uint32_t place : places[b]) item(block.forces[place].data(), vector_size);
     if (block.moments.empty()) continue;
@@ -88,13 +83,14 @@ void RankShare::visit(int from, const Places& places, std::span<ChunkStep> steps
 }
 
 void RankShare::exchange(std::span<ChunkStep> steps, State& state) {
+  ranks_.gather_items(steps, chunks_.begins());
   const auto n_ranks = static_cast<std::size_t>(ranks_.count());
   std::vector<std::span<const std::byte>> out(n_ranks);
   std::vector<std::span<std::byte>> in(n_ranks);
   for (std::size_t other = 0; other < n_ranks; ++other) {
     if (!sent_[other].empty()) {
       std::byte* next = sent_[other].data();
-      visit(ranks_.rank(), out_[other], steps, state, [&](const void* from, std::size_t size) {
+      visit(out_[other], state, [&](const void* from, std::size_t size) {
         std::memcpy(next, from, size);
         next += size;
       });
@@ -106,7 +102,7 @@ void RankShare::exchange(std::span<ChunkStep> steps, State& state) {
   for (std::size_t other = 0; other < n_ranks; ++other) {
     if (got_[other].empty()) continue;
     const std::byte* next = got_[other].data();
-    visit(static_cast<int>(other), in_[other], steps, state, [&](void* to, std::size_t size) {
+    visit(in_[other], state, [&](void* to, std::size_t size) {
       std::memcpy(to, next, size);
       next += size;
     });

@@ -53,10 +53,9 @@ class RankShare {
   using Places = std::vector<std::vector<std::uint32_t>>;  // [n_blocks]
 
   void find_places();
-  std::size_t message_size(int from, const Places& places) const;
+  std::size_t message_size(const Places& places) const;
   template <class Item>
-  void visit(int from, const Places& places, std::span<ChunkStep> steps, State& state,
-             const Item& item) const;
+  void visit(const Places& places, State& state, const Item& item) const;
   void gather_nodes(Eigen::Matrix3Xd& values);
 
   Ranks& ranks_;

@@ -15,14 +15,12 @@ std::size_t bytes_of_place(const ModelBlock& block) {
 
 RankTraffic find_traffic(const Model& model, const ChunkShares& chunks, const NodeShares& nodes) {
   const auto n_ranks = static_cast<std::size_t>(chunks.n_ranks());
-  // Every rank learns the stable step of every chunk, and the sums at nodes that it follows.
   std::vector<std::vector<std::size_t>> bytes(n_ranks, std::vector<std::size_t>(n_ranks, 0));
   for (std::size_t b = 0; b < model.blocks.size(); ++b) {
     const ModelBlock& block = model.blocks[b];
     if (block.is_rigid) continue;
     for (std::size_t from = 0; from < n_ranks; ++from) {
       const ChunkRange own = chunks.of(static_cast<int>(from), b);
-      for (std::size_t& to : bytes[from]) to += own.size() * sizeof(ChunkStep);
       for (std::size_t c = own.begin; c < own.end; ++c) {
         for (const std::uint32_t node : block.nodes_of(block.chunks[c])) {
           for (std::uint64_t left = nodes.followers(node); left != 0; left &= left - 1) {
@@ -36,6 +34,7 @@ RankTraffic find_traffic(const Model& model, const ChunkShares& chunks, const No
   RankTraffic traffic;
   traffic.n_ranks = chunks.n_ranks();
   traffic.imbalance = chunks.imbalance();
+  traffic.bytes_gathered = chunks.begins().back() * sizeof(ChunkStep);
   for (std::size_t from = 0; from < n_ranks; ++from) {
     std::size_t sent = 0, n_messages = 0;
     for (std::size_t to = 0; to < n_ranks; ++to) {

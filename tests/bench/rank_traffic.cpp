@@ -4,6 +4,7 @@
 //   contactsim_rank_traffic [seconds per element and step of one rank]
 #include <fmt/format.h>
 
+#include <cmath>
 #include <cstdlib>
 
 #include "bench_meshes.hpp"
@@ -21,9 +22,11 @@ struct Network {
   double latency;    ///< of a message [s]
   double bandwidth;  ///< [bytes/s]
 
+  /// What all get goes by doubling: as many messages as there are halvings of the ranks.
   double seconds(const RankTraffic& traffic) const {
-    return latency * static_cast<double>(traffic.n_messages) +
-           static_cast<double>(traffic.bytes_sent) / bandwidth;
+    const double n_messages = static_cast<double>(traffic.n_messages) + std::log2(traffic.n_ranks);
+    return latency * n_messages +
+           static_cast<double>(traffic.bytes_sent + traffic.bytes_gathered) / bandwidth;
   }
 };
 

@@ -82,7 +82,7 @@ def bytes_are_those_of_one_process(runs):
         compare(one, more)
         log = (more / "run.log").read_text()
         check(f"  ranks      {n_ranks}\n" in log, "the log does not say the ranks")
-        check(re.search(rf"^  {n_ranks} ranks: \d+\.\d % of the nodes", log, re.MULTILINE), "it does not say what they share")
+        check(re.search(rf"^  {n_ranks} ranks: \d+\.\d % of the nodes shared", log, re.MULTILINE), "it does not say what they share")
 
 
 def restarts_go_on_with_other_ranks(runs):

@@ -44,6 +44,7 @@ class CountedRanks final : public Ranks {
  public:
   explicit CountedRanks(Ranks& ranks) : Ranks(ranks.rank(), ranks.count()), ranks_(ranks) {}
   void gather(std::span<std::byte> all, std::span<const std::size_t> begins) override {
+    gathered += all.size();
     ranks_.gather(all, begins);
   }
   void broadcast(std::span<std::byte> all) override { ranks_.broadcast(all); }
@@ -58,7 +59,7 @@ class CountedRanks final : public Ranks {
   bool wait_for_all(double seconds) override { return ranks_.wait_for_all(seconds); }
   [[noreturn]] void abort(int /*exit_code*/) override { throw std::runtime_error("the ranks are ended"); }
 
-  std::size_t bytes = 0, n_messages = 0;
+  std::size_t bytes = 0, n_messages = 0, gathered = 0;
 
  private:
   Ranks& ranks_;
@@ -80,6 +81,7 @@ TEST_CASE("what is counted is what ranks send in a step", "[core][rank_traffic]"
     std::vector<ChunkStep> steps(bodies.model.blocks[0].chunks.size() + bodies.model.blocks[1].chunks.size());
     share.exchange(steps, state);
     const std::lock_guard lock(checking);
+    CHECK(counting.gathered == share.traffic().bytes_gathered);
     bytes += counting.bytes;
     if (counting.bytes > most) n_messages = counting.n_messages;
     most = std::max(most, counting.bytes);
