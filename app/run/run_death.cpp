@@ -2,6 +2,7 @@
 #include "app/run/run_death.hpp"
 
 #include <algorithm>
+#include <utility>
 
 #include "app/run/timed_force.hpp"
 #include "contact/mesh/degenerate_faces.hpp"
@@ -85,9 +86,16 @@ bool RunDeath::let_die(State& state, DeathRound round) {
   return !dead_.empty() || !state.death.dying.empty();
 }
 
+void RunDeath::share_among(const RankShare& share, std::function<void()> complete_state) {
+  deaths_.share_among(share);
+  complete_state_ = std::move(complete_state);
+}
+
 bool RunDeath::step(State& state) {
   const double begun = clock_seconds();
+  if (deaths_.reads_all(state)) complete_state_();
   const bool has_any = let_die(state, {});
+  if (!dead_.empty()) complete_state_();
   follow(state);
   kept_.reset();
   seconds_ += clock_seconds() - begun;

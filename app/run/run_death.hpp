@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <span>
 #include <string>
@@ -39,6 +40,10 @@ class RunDeath final : public StaticDeaths {
 
   /// Gives the state room for deaths; takes over those that it has.
   void begin(State& state);
+  /// Has ranks look at the elements that they advance.
+  ///   share           must outlive it
+  ///   complete_state  called before something reads more than a rank knows
+  void share_among(const RankShare& share, std::function<void()> complete_state);
   /// To be called once for the state of the start and that after every step: who has died is taken out of
   /// loads and contact. Returns whether elements have died or faded.
   bool step(State& state);
@@ -79,6 +84,7 @@ class RunDeath final : public StaticDeaths {
   std::optional<Kept> kept_;  // of a load step in which elements die
   double reported_at_;        // when the log reported deaths last [time]
   std::size_t n_may_die_ = 0;
+  std::function<void()> complete_state_ = [] {};
   double seconds_ = 0.0;
 };
 

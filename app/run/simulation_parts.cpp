@@ -53,14 +53,14 @@ std::unique_ptr<RunDeath> make_death(const ConditionScope& scope, Setup& setup, 
                                     DeathParts{setup.external, contact});
 }
 
-/// The nodes that all ranks have to follow, beside those that conditions hold or load: of contact, and all
-/// where surfaces may change.
+/// The nodes that all ranks have to follow, beside those that conditions hold or load: of contact, and those
+/// of elements that may die, where surfaces may come to be.
 std::vector<NodeIndex> nodes_everywhere(const RunInput& input, const Setup& setup,
                                         const RunContact* contact) {
   std::vector<NodeIndex> nodes;
-  if (!input.region.element_deaths.empty()) {
-    for (std::uint32_t i = 0; i < input.mesh.n_nodes(); ++i) nodes.push_back({i});
-    return nodes;
+  for (const auto& set : setup.death_sets) {
+    for (const ElementIndex element : set)
+      std::ranges::copy(input.mesh.element_nodes(element), std::back_inserter(nodes));
   }
   setup.external.add_nodes_where_place_counts(nodes);
   if (contact == nullptr) return nodes;
@@ -105,7 +105,10 @@ Simulation::Parts::Parts(const RunInput& run_input, RunSettings run_settings, Di
       energy_warnings(setup.model, diagnostics),
       load_step_warnings(diagnostics) {
   stop_on_errors(diagnostics);
-  if (share != nullptr) setup.external.follow(share->followed());
+  if (share != nullptr) {
+    setup.external.follow(share->followed());
+    if (death) death->share_among(*share, [this] { complete_state(); });
+  }
   // A value of every node: not to be kept.
   set_initial_state(std::exchange(setup.initial, {}), setup.model.blocks, state);
   if (death) death->begin(state);
@@ -229,7 +232,6 @@ void Simulation::Parts::complete_state() {
 }
 
 void Simulation::Parts::let_die() {
-  complete_state();
   const bool has_any = death->step(state);
   if (!load_steps || !has_any) return;
   load_steps->note_deaths();

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "contact/search/search_share.hpp"
 
-#include <algorithm>
+#include <array>
 
 namespace contactsim {
 
@@ -10,12 +10,6 @@ namespace {
 /// From so many boxes on a search, of some 0.3 us a box, takes longer than two messages to all.
 constexpr std::size_t least_shared = 1000;
 
-/// What a rank says of its parts.
-struct Found {
-  std::size_t n_pairs = 0;
-  std::uint64_t visits = 0, overlaps = 0;
-};
-
 }  // namespace
 
 SearchShare::SearchShare(Ranks& ranks, std::size_t n_boxes)
@@ -23,24 +17,17 @@ SearchShare::SearchShare(Ranks& ranks, std::size_t n_boxes)
 
 std::vector<FoundPairs> SearchShare::gather(std::vector<FoundPairs> own) const {
   if (!is_shared_) return own;
-  Found found;
+  FoundPairs found;
   for (const FoundPairs& part : own) {
-    found.n_pairs += part.pairs.size();
+    found.pairs.insert(found.pairs.end(), part.pairs.begin(), part.pairs.end());
     found.visits += part.visits;
     found.overlaps += part.overlaps;
   }
-  const std::vector<Found> of_ranks = ranks_.of_all(found);
-  std::vector<std::size_t> begins{0};
-  for (const Found& of_rank : of_ranks) begins.push_back(begins.back() + of_rank.n_pairs);
   std::vector<FoundPairs> all(1);
-  all[0].pairs.resize(begins.back());
-  auto next =
-      all[0].pairs.begin() + static_cast<std::ptrdiff_t>(begins[static_cast<std::size_t>(ranks_.rank())]);
-  for (const FoundPairs& part : own) next = std::ranges::copy(part.pairs, next).out;
-  ranks_.gather_items(std::span(all[0].pairs), begins);
-  for (const Found& of_rank : of_ranks) {
-    all[0].visits += of_rank.visits;
-    all[0].overlaps += of_rank.overlaps;
+  all[0].pairs = ranks_.join(found.pairs);
+  for (const auto& [visits, overlaps] : ranks_.of_all(std::array{found.visits, found.overlaps})) {
+    all[0].visits += visits;
+    all[0].overlaps += overlaps;
   }
   return all;
 }

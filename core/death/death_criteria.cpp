@@ -91,6 +91,19 @@ DeathCriteria::DeathCriteria(const ElementDeath& death, std::span<const ElementI
   }
 }
 
+void DeathCriteria::look_at(std::span<const ElementIndex> elements) {
+  elements_ = elements;
+  for (Criterion& criterion : criteria_) {
+    if (!criterion.ranges.empty()) criterion.ranges = ranges_of(criterion.selection);
+  }
+}
+
+bool DeathCriteria::reads_all() const {
+  return std::ranges::any_of(criteria_, [](const Criterion& criterion) {
+    return std::holds_alternative<GlobalCriterion>(criterion.definition);
+  });
+}
+
 /// The criteria of a block, tests of element values in place of MATERIAL CRITERION.
 std::vector<DeathCriteria::Criterion> DeathCriteria::without_material(const ElementDeath& death,
                                                                       Diagnostics& diagnostics) const {

@@ -28,6 +28,12 @@ class DeathCriteria {
   DeathCriteria(const ElementDeath& death, std::span<const ElementIndex> elements,
                 const OutputVariables& variables, Diagnostics& diagnostics);
 
+  /// From now on these elements alone are looked at.
+  ///   elements  some of the set, ascending; must outlive it
+  void look_at(std::span<const ElementIndex> elements);
+  /// Whether a criterion is of a global value, which may be of any node or element.
+  bool reads_all() const;
+
   /// Marks the elements of the set that meet a criterion. Of element values the mean over the integration
   /// points counts, unless the deck says how many points have to remain. Any component of a variable will do.
   ///   marks  [n_elements]

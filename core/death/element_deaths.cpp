@@ -2,6 +2,7 @@
 #include "core/death/element_deaths.hpp"
 
 #include <algorithm>
+#include <iterator>
 #include <limits>
 
 #include "core/death/death_sets.hpp"
@@ -23,6 +24,23 @@ ElementDeaths::ElementDeaths(const ConditionScope& scope, std::span<const std::v
     is_cleaned_.resize(scope.mesh.n_elements(), 0);
     for (const ElementIndex element : sets_[i]) is_cleaned_[element.value] = 1;
   }
+}
+
+void ElementDeaths::share_among(const RankShare& share) {
+  share_ = &share;
+  own_.resize(sets_.size());
+  for (std::size_t i = 0; i < sets_.size(); ++i) {
+    std::ranges::copy_if(sets_[i], std::back_inserter(own_[i]),
+                         [&](ElementIndex element) { return share.has_element(element); });
+    criteria_[i].look_at(own_[i]);
+  }
+}
+
+bool ElementDeaths::reads_all(const State& state) const {
+  for (std::size_t i = 0; i < deaths_.size(); ++i) {
+    if (criteria_[i].reads_all() && is_due(i, state, false)) return true;
+  }
+  return false;
 }
 
 void ElementDeaths::begin(State& state) {
@@ -98,7 +116,16 @@ bool ElementDeaths::asks_for_ill_defined(const State& state, DeathRound round) c
 void ElementDeaths::check(std::size_t death, State& state, std::span<const ElementIndex> ill_defined) {
   state.death.checked[death] = state.time;
   criteria_[death].mark({model_, state}, marks_);
+  if (share_ != nullptr) mark_those_of_all(death);
   end_check(death, state, ill_defined);
+}
+
+/// What any rank has marked of its own elements is marked on all.
+void ElementDeaths::mark_those_of_all(std::size_t death) {
+  std::vector<ElementIndex> marked;
+  std::ranges::copy_if(own_[death], std::back_inserter(marked),
+                       [this](ElementIndex element) { return marks_[element.value] != 0; });
+  for (const ElementIndex element : share_->join(marked)) marks_[element.value] = 1;
 }
 
 /// As check() of all blocks that are due.
@@ -133,18 +160,26 @@ void ElementDeaths::end_check(std::size_t death, State& state, std::span<const E
 }
 
 /// The kernels let them die in the middle of a step.
-void ElementDeaths::find_inverted(const State& state) {
+void ElementDeaths::find_inverted(State& state) {
+  std::vector<ElementIndex> inverted;
+  bool may_be_any = false;
   for (std::size_t b = 0; b < model_.blocks.size(); ++b) {
     const ModelBlock& block = model_.blocks[b];
     if (block.dies_inverted.empty()) continue;
+    may_be_any = true;
     for (std::size_t batch = 0; batch < block.n_batches(); ++batch) {
       if (!(state.blocks[b].life[batch] == 0.0).any()) continue;
       const std::size_t end = std::min((batch + 1) * n_lanes, block.n_elements);
       for (std::size_t e = batch * n_lanes; e < end; ++e) {
         const ElementIndex element{block.first_element.value + static_cast<std::uint32_t>(e)};
-        if (state.blocks[b].life_of(e) == 0.0 && alive_[element.value] != 0) dead_.push_back(element);
+        if (state.blocks[b].life_of(e) == 0.0 && alive_[element.value] != 0) inverted.push_back(element);
       }
     }
+  }
+  if (share_ != nullptr && may_be_any) inverted = share_->join(inverted);
+  for (const ElementIndex element : inverted) {
+    life_of(element, state) = 0.0;
+    dead_.push_back(element);
   }
 }
 

@@ -7,6 +7,7 @@
 
 #include "core/conditions/condition_scope.hpp"
 #include "core/death/death_criteria.hpp"
+#include "core/dynamics/rank_share.hpp"
 #include "core/dynamics/state.hpp"
 #include "core/mesh/face_groups.hpp"
 
@@ -30,6 +31,12 @@ class ElementDeaths {
   ///   sets  of find_death_sets
   ElementDeaths(const ConditionScope& scope, std::span<const std::vector<ElementIndex>> sets,
                 const OutputVariables& variables, const FaceGroups& faces);
+
+  /// Has ranks look at the elements that they advance, and tell each other who dies.
+  ///   share  must outlive it
+  void share_among(const RankShare& share);
+  /// Whether step() reads more of a state than a rank knows of its own elements.
+  bool reads_all(const State& state) const;
 
   /// Gives a state room for deaths. One that has it already, of a restart or an earlier one of the run, is
   /// taken as it is.
@@ -57,7 +64,8 @@ class ElementDeaths {
   void end_check(std::size_t death, State& state, std::span<const ElementIndex> ill_defined);
   void begin_to_die(ElementIndex element, std::int64_t n_steps, State& state);
   double& life_of(ElementIndex element, State& state) const;
-  void find_inverted(const State& state);
+  void find_inverted(State& state);
+  void mark_those_of_all(std::size_t death);
   void clean_up(State& state);
   bool hangs_by_a_face(ElementIndex element) const;
 
@@ -65,8 +73,10 @@ class ElementDeaths {
   std::span<const std::vector<ElementIndex>> sets_;
   const Model& model_;
   const FaceGroups& faces_;
-  std::vector<DeathCriteria> criteria_;   // [n_deaths]
-  std::vector<std::uint8_t> alive_;       // [n_elements]
+  const RankShare* share_ = nullptr;            // of several ranks
+  std::vector<std::vector<ElementIndex>> own_;  // [n_deaths] of the sets, those of this rank
+  std::vector<DeathCriteria> criteria_;         // [n_deaths]
+  std::vector<std::uint8_t> alive_;             // [n_elements]
   std::vector<std::uint8_t> is_cleaned_;  // [n_elements] of sets with AGGRESSIVE CONTACT CLEANUP, else empty
   std::vector<std::uint8_t> marks_;       // scratch, [n_elements]
   std::vector<ElementIndex> dead_;        // of this step

@@ -34,6 +34,18 @@ RankShare::RankShare(Ranks& ranks, const Model& model, std::span<const NodeIndex
   }
 }
 
+bool RankShare::has_element(ElementIndex element) const {
+  for (std::size_t b = 0; b < model_.blocks.size(); ++b) {
+    const ModelBlock& block = model_.blocks[b];
+    if (element < block.first_element || element.value >= block.first_element.value + block.n_elements)
+      continue;
+    const std::size_t chunk =
+        (element.value - block.first_element.value) / (n_lanes * ModelBlock::batches_per_chunk);
+    return own_chunks(b).contains(chunk);
+  }
+  return false;
+}
+
 void RankShare::find_places() {
   const int n_ranks = ranks_.count(), self = ranks_.rank();
   out_.assign(static_cast<std::size_t>(n_ranks), Places(model_.blocks.size()));

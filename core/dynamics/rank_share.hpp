@@ -27,6 +27,13 @@ class RankShare {
   RankShare& operator=(const RankShare&) = delete;
 
   ChunkRange own_chunks(std::size_t block) const { return chunks_.of(ranks_.rank(), block); }
+  /// Whether this rank advances an element of the mesh.
+  bool has_element(ElementIndex element) const;
+  /// Ranks::join().
+  template <class Item>
+  std::vector<Item> join(const std::vector<Item>& own) const {
+    return ranks_.join(own);
+  }
   const NodeRanges& followed() const { return followed_; }
   /// Those of them whose sums other ranks make.
   const NodeRanges& others_followed() const { return others_followed_; }

@@ -134,8 +134,9 @@ void OutputPlan::open_files() {
 
 std::optional<EarlyEnd> OutputPlan::check_termination(const State& state) {
   const OutputContext context{model_, state};
-  const bool are_needed = !terminations_.is_empty() || settings_.always_computes;
-  if (are_needed || user_outputs_.has_every_step()) settings_.complete_state();
+  const bool ends = !terminations_.is_empty(), are_needed = ends || settings_.always_computes;
+  if (ends || (are_needed && !user_outputs_.is_empty()) || user_outputs_.has_every_step())
+    settings_.complete_state();
   user_outputs_.compute(context, are_needed);
   return terminations_.find_end(context);
 }

@@ -29,6 +29,7 @@ class UserOutputs {
 
   /// Whether some are computed at every step.
   bool has_every_step() const;
+  bool is_empty() const { return computations_.empty(); }
 
   /// Saves or restores the values, whether the deck says USE WITH RESTART or not.
   void archive(StateArchive& saved);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -48,6 +49,18 @@ class Ranks {
     std::vector<std::size_t> in_bytes;
     for (const std::size_t begin : begins) in_bytes.push_back(begin * sizeof(Item));
     gather(std::as_writable_bytes(all), in_bytes);
+  }
+
+  /// The lists of all ranks, one after the other in the order of the ranks, of items that hold no pointers.
+  template <class Item>
+  std::vector<Item> join(const std::vector<Item>& own) {
+    std::vector<std::size_t> begins{0};
+    for (const std::size_t n : of_all(own.size())) begins.push_back(begins.back() + n);
+    std::vector<Item> all(begins.back());
+    std::copy(own.begin(), own.end(),
+              all.begin() + static_cast<std::ptrdiff_t>(begins[static_cast<std::size_t>(rank_)]));
+    if (are_several() && !all.empty()) gather_items(std::span(all), begins);
+    return all;
   }
 
   /// Marks on all ranks what any of them has marked.

@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+#include <mutex>
+
 #include "core/death/death_sets.hpp"
 #include "core/dynamics/internal_force.hpp"
 #include "core/materials/elastic.hpp"
@@ -10,6 +12,7 @@
 #include "support/catch.hpp"
 #include "support/condition_deck.hpp"
 #include "support/sample_run.hpp"
+#include "support/thread_ranks.hpp"
 
 // "soft", elements 101 to 109, is a row along x from 0 to 9; "hard", 110 and 111, stands on its first two.
 
@@ -267,4 +270,40 @@ TEST_CASE("death criteria that mean nothing are errors", "[core][death]") {
             .deck.messages()
             .find("no element of the set has a material that fails by itself") != std::string::npos);
   CHECK(DyingRun("block = soft\n").deck.messages().find("has no criterion") != std::string::npos);
+}
+
+TEST_CASE("ranks look at their own elements, and all know who dies", "[core][death]") {
+  std::mutex checking;
+  ThreadRanks(2).run([&](Ranks& ranks) {
+    // The first rank has "soft", the second "hard".
+    DyingRun dying(
+        "block = soft hard\ncriterion is min nodal value of coordinates(x) = 1\ndeath on inversion = on\n");
+    const RankShare share(ranks, dying.run.model, {});
+    dying.deaths.share_among(share);
+    // What a rank has of the others' nodes and elements is old.
+    if (ranks.is_root()) {
+      dying.run.state.blocks[0].life[0](6) = 0.0;
+    } else {
+      for (Eigen::Index node = 0; node < dying.run.state.coordinates.cols(); ++node) {
+        if (dying.run.state.coordinates(0, node) > 4.0) dying.run.state.coordinates(0, node) = 1.0;
+      }
+    }
+    const std::string died = dying.step(), died_then = dying.step();
+    const std::lock_guard lock(checking);
+    CHECK(share.has_element({0}) == ranks.is_root());
+    CHECK(share.has_element({10}) != ranks.is_root());
+    CHECK(died == "102 107 111");
+    CHECK(dying.life(6) == 0.0);
+    CHECK(died_then.empty());
+  });
+}
+
+TEST_CASE("global values alone need more than a rank's own elements, when they are due", "[core][death]") {
+  DyingRun by_elements("block = soft\ncriterion is max nodal value of coordinates(x) > 100\n");
+  CHECK_FALSE(by_elements.deaths.reads_all(by_elements.run.state));
+  DyingRun by_all(
+      "block = soft\ncriterion is global value of kinetic_energy > 1e9\ncheck step interval = 2\n");
+  CHECK(by_all.deaths.reads_all(by_all.run.state));
+  by_all.step();
+  CHECK_FALSE(by_all.deaths.reads_all(by_all.run.state));
 }

@@ -56,3 +56,14 @@ TEST_CASE("what the root alone does fails on all ranks", "[core][ranks]") {
   CHECK(n_done == 1);
   CHECK(n_failed == 3);
 }
+
+TEST_CASE("lists of different lengths are joined in the order of the ranks", "[core][ranks]") {
+  CHECK(one_rank().join(std::vector<int>{4, 2}) == std::vector<int>{4, 2});
+  std::atomic<int> n_right = 0;
+  ThreadRanks(3).run([&](Ranks& ranks) {
+    const std::vector<int> own(static_cast<std::size_t>(2 * (ranks.rank() % 2)), 10 + ranks.rank());
+    n_right += ranks.join(own) == std::vector<int>{11, 11} ? 1 : 0;
+    n_right += ranks.join(std::vector<int>{ranks.rank()}) == std::vector<int>{0, 1, 2} ? 1 : 0;
+  });
+  CHECK(n_right == 6);
+}
