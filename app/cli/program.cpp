@@ -175,22 +175,46 @@ ExitCode start(const Options& options) {
   return code;
 }
 
+/// What is no run of a deck.
+ExitCode run_command(const Options& options) {
+  if (options.diff.is_asked) return static_cast<ExitCode>(run_diff(options.diff));
+  if (options.report_of_results.is_asked) return static_cast<ExitCode>(run_report(options.report_of_results));
+  if (options.sweep.is_asked) return static_cast<ExitCode>(run_sweep(options.sweep));
+  if (options.convert.is_asked) return convert_mesh(options.convert);
+  if (options.manual.is_asked) return run_manual(options.manual);
+  const Explanation explanation = explain_all(options.explain_words);
+  std::fputs(explanation.text.c_str(), explanation.is_found ? stdout : stderr);
+  return explanation.is_found ? ExitCode::done : ExitCode::deck;
+}
+
+bool is_command(const Options& options) {
+  return options.diff.is_asked || options.report_of_results.is_asked || options.sweep.is_asked ||
+         options.convert.is_asked || options.manual.is_asked || options.explains;
+}
+
+/// Where mpirun has started several processes for it, the first one works.
+ExitCode run_command_once(const Options& options) {
+  const std::unique_ptr<Ranks> several = load_ranks();
+  if (!several) return run_command(options);
+  const auto work = [&] {
+    // Its programs would take themselves for ranks of this one.
+    if (options.sweep.is_asked)
+      throw FileError(
+          "mpirun", fmt::format("starts {} processes, and contactsim sweep starts its runs itself, from one",
+                                several->count()));
+    return run_command(options);
+  };
+  const auto write_line = [](const std::string& line) { std::fprintf(stderr, "%s\n", line.c_str()); };
+  return several->of_root(several->is_root() ? guard_exit(work, write_line) : ExitCode::done);
+}
+
 }  // namespace
 
 int run_program(int argc, const char* const* argv) {
   const auto work = [&] {
     const CommandLine line = read_command_line(argc, argv);
     if (line.exit_code) return *line.exit_code;
-    if (line.options.diff.is_asked) return static_cast<ExitCode>(run_diff(line.options.diff));
-    if (line.options.report_of_results.is_asked)
-      return static_cast<ExitCode>(run_report(line.options.report_of_results));
-    if (line.options.sweep.is_asked) return static_cast<ExitCode>(run_sweep(line.options.sweep));
-    if (line.options.convert.is_asked) return convert_mesh(line.options.convert);
-    if (line.options.manual.is_asked) return run_manual(line.options.manual);
-    if (!line.options.explains) return start(line.options);
-    const Explanation explanation = explain_all(line.options.explain_words);
-    std::fputs(explanation.text.c_str(), explanation.is_found ? stdout : stderr);
-    return explanation.is_found ? ExitCode::done : ExitCode::deck;
+    return is_command(line.options) ? run_command_once(line.options) : start(line.options);
   };
   const ExitCode code =
       guard_exit(work, [](const std::string& line) { std::fprintf(stderr, "%s\n", line.c_str()); });

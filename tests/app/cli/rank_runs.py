@@ -114,6 +114,20 @@ def errors_are_said_once(runs):
     check(result.stderr.count("error: ") == 1, result.stderr)
 
 
+def commands_are_done_once(runs):
+    def run(*words):
+        return subprocess.run([*MPIRUN, "-np", "3", runs.program, *words], cwd=runs.folder, capture_output=True, text=True,
+                              timeout=60)
+
+    told = run("explain", "friction", "coefficient")
+    alone = subprocess.run([runs.program, "explain", "friction", "coefficient"], capture_output=True, text=True, timeout=60)
+    check(told.returncode == 0 and told.stdout == alone.stdout, f"explained otherwise: {told.stdout} {told.stderr}")
+    runs.prepare("swept", runs.deck)
+    refused = run("sweep", "swept/impact.i", "-D", "end=1e-6,2e-6")
+    check(refused.returncode == 3, f"exit code {refused.returncode} of a sweep on ranks")
+    check(refused.stderr.count("starts 3 processes") == 1, refused.stderr)
+
+
 def a_killed_rank_ends_the_run(runs):
     folder = runs.prepare("killed", runs.deck)
     command = [word for word in runs.command(3, end="120e-6") if word != "-q"]
@@ -137,7 +151,7 @@ def main():
     with tempfile.TemporaryDirectory() as folder:
         runs = Runs(sys.argv[1], pathlib.Path(folder))
         for test in (bytes_are_those_of_one_process, restarts_go_on_with_other_ranks, errors_are_said_once,
-                     a_killed_rank_ends_the_run):
+                     commands_are_done_once, a_killed_rank_ends_the_run):
             begun = time.monotonic()
             test(runs)
             print(f"{test.__name__}: {time.monotonic() - begun:.1f} s", flush=True)
