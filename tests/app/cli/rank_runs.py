@@ -88,6 +88,8 @@ def bytes_are_those_of_one_process(runs):
 def restarts_go_on_with_other_ranks(runs):
     deck = runs.deck.replace("begin contact definition", RESTART, 1)
     stored, _ = runs.run("stored", 3, deck, end="4e-6")
+    alone, _ = runs.run("stored_by_one", 1, deck, end="4e-6")
+    compare(alone, stored)
     states = sorted(path.name for path in stored.glob("impact.rsout*"))
     check(states, "no state is stored")
     again = deck.replace("begin sierra ball on plate", "begin sierra ball on plate\n  restart = automatic", 1)

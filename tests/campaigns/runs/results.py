@@ -89,6 +89,25 @@ def exodus_difference(whole, part):
     return f"{part.name}: {', '.join(differ)}" if differ else ""
 
 
+def data_sets(group, path=""):
+    """The data sets of an HDF5 file, those of its groups too, by their paths."""
+    for name, variable in group.variables.items():
+        variable.set_auto_maskandscale(False)
+        yield f"{path}{name}", variable
+    for name, below in group.groups.items():
+        yield from data_sets(below, f"{path}{name}/")
+
+
+def same_restart(one, other):
+    """Which data sets of two restart files differ."""
+    with netCDF4.Dataset(one) as a, netCDF4.Dataset(other) as b:
+        sets, others = dict(data_sets(a)), dict(data_sets(b))
+        if not sets or set(sets) != set(others):
+            return f"{other.name} has other data sets"
+        differ = [name for name, data in sets.items() if np.asarray(data[...]).tobytes() != np.asarray(others[name][...]).tobytes()]
+    return f"{other.name}: {', '.join(differ)}" if differ else ""
+
+
 def same_exodus(one, other):
     """What differs between two Exodus files, the mesh included; the clock's records left out."""
     with netCDF4.Dataset(one) as a, netCDF4.Dataset(other) as b:
