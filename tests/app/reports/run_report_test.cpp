@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include "support/catch.hpp"
+#include "support/mesh_builder.hpp"
 
 using namespace contactsim;
 using Catch::Contains;
@@ -25,4 +26,16 @@ TEST_CASE("what a ramped overlap puts in is neither held by contact nor lost", "
   CHECK_THAT(text, row("work of loads and motion", 2.0));
   CHECK_THAT(text, row("held by contact", 0.0));
   CHECK_THAT(text, row("lost where sides met", 0.0));
+}
+
+TEST_CASE("the log says what is subcycled, and what that saves", "[app][report][subcycler]") {
+  const Mesh mesh = test::MeshBuilder().add_hexes({}).build();
+  Model model;
+  model.mesh = &mesh;
+  StepReport at_start{0.5, std::nullopt};
+  CHECK_THAT(format_model(model, at_start), !Contains("subcycling"));
+  model.subcycles = {{NodeIndex{0}}, 20, 980, 10};
+  CHECK_THAT(format_model(model, at_start),
+             Contains("\n  subcycling: 20 elements in 10 parts of each step, 980 once: 8.47 times fewer are "
+                      "advanced\n"));
 }
