@@ -190,6 +190,8 @@ std::span<const ForeignKeyword> abaqus_keywords() {
           "BEGIN DEBUG\nVISUALIZE CONTACT FACETS = ON\nEND",
           "results hold side sets contact_<surface>, and node sets of surfaces of nodes; the facets' file "
           "has a block of each surface and of its edges"},
+      ForeignKeyword{"Abaqus", "*SUBCYCLING", P::region, "SUBCYCLE BLOCKS = block_2",
+                     "the small elements of these blocks, advanced in parts of the steps of all others"},
       ForeignKeyword{"Abaqus", "STATUS", P::results, "ELEMENT VARIABLES = death_status", "1 alive, 0 dead"},
   };
   return rows;

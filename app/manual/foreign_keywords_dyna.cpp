@@ -90,6 +90,8 @@ std::span<const ForeignKeyword> dyna_keywords() {
           "elements do not meet themselves inside; kill those that invert by DEATH ON INVERSION = ON"},
       ForeignKeyword{"LS-DYNA", "BSORT, NSBCS, DEPTH", P::none, "",
                      "searches come when something has moved so far that it might miss a partner"},
+      ForeignKeyword{"LS-DYNA", "*CONTROL_SUBCYCLE", P::region, "SUBCYCLE BLOCKS = ALL",
+                     "two classes of elements: what is small, and what is advanced once in a step"},
       ForeignKeyword{"LS-DYNA", "*INITIAL_VELOCITY_GENERATION", P::region,
                      "BEGIN INITIAL VELOCITY\nBLOCK = block_2\nCOMPONENT = Z\nMAGNITUDE = -1.0\nEND",
                      "turning ones by CYLINDRICAL AXIS and ANGULAR VELOCITY"},

@@ -20,6 +20,13 @@ double mass_of(const ModelBlock& block) {
   return mass;
 }
 
+std::string format_subcycles(const Subcycles& subcycles) {
+  if (subcycles.empty()) return "";
+  return fmt::format(
+      "  subcycling: {} elements in {} parts of each step, {} once: {:.3g} times fewer are advanced\n",
+      subcycles.n_elements, subcycles.n_parts, subcycles.n_others, subcycles.saving());
+}
+
 }  // namespace
 
 std::string format_model(const Model& model, const StepReport& at_start) {
@@ -47,7 +54,7 @@ std::string format_model(const Model& model, const StepReport& at_start) {
     text += fmt::format(", set by element {} of {}", model.mesh->element_id(element),
                         model.mesh->name({EntityKind::block, model.mesh->block_of(element)}));
   }
-  return text + "\n";
+  return text + "\n" + format_subcycles(model.subcycles);
 }
 
 std::string format_ranks(const RankTraffic& traffic) {

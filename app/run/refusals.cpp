@@ -33,6 +33,8 @@ void refuse_in_statics(const Region& region, Diagnostics& diagnostics) {
       refuse_here(death.name, "NODAL EROSION = OFF", "a node without elements has no equilibrium");
   }
   for (const auto& scaling : region.mass_scalings) refuse_here(scaling.name, "mass scaling");
+  if (!region.subcycle_blocks.empty())
+    refuse_here(region.subcycle_blocks.front(), "SUBCYCLE BLOCKS", "load steps have no stable step");
   for (const auto& damping : region.viscous_dampings) refuse_here(damping.name, "viscous damping");
   for (const auto& velocity : region.initial_velocities) refuse_here(velocity.name, "an initial velocity");
   for (const auto& condition : region.prescribed_conditions) {

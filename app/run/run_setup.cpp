@@ -86,6 +86,7 @@ Setup set_up(const RunInput& input, Diagnostics& diagnostics) {
   model.rigid.kinematic_constraints = make_body_constraints(scope);
   model.rigid.rotation_constraints = make_body_rotation_constraints(scope);
   set_discrete_steps(model);
+  if (!input.procedure.implicit_by) set_subcycles(scope, model);
   ExternalForce external = make_external_force(scope, model.mass, model.inertia);
   TimeStepControl control = make_time_step_control(input.procedure, input.region);
   InitialState initial = make_initial_state(scope, model.blocks);

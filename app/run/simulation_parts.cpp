@@ -11,6 +11,7 @@
 #include "app/run/refusals.hpp"
 #include "app/run/run_outputs.hpp"
 #include "app/run/stop_on_errors.hpp"
+#include "app/run/subcycle_refusals.hpp"
 #include "app/run/transfer_refusals.hpp"
 #include "contact/interface_laws/refuse_laws.hpp"
 #include "core/base/memory_error.hpp"
@@ -63,6 +64,8 @@ std::vector<NodeIndex> nodes_everywhere(const RunInput& input, const Setup& setu
       std::ranges::copy(input.mesh.element_nodes(element), std::back_inserter(nodes));
   }
   setup.external.add_nodes_where_place_counts(nodes);
+  const auto& subcycled = setup.model.subcycles.nodes;
+  nodes.insert(nodes.end(), subcycled.begin(), subcycled.end());
   if (contact == nullptr) return nodes;
   const auto& of_contact = contact->force().contact_mesh().mesh_nodes;
   nodes.insert(nodes.end(), of_contact.begin(), of_contact.end());
@@ -104,6 +107,10 @@ Simulation::Parts::Parts(const RunInput& run_input, RunSettings run_settings, Di
       timed_external(setup.external),
       energy_warnings(setup.model, diagnostics),
       load_step_warnings(diagnostics) {
+  if (!setup.model.subcycles.empty()) {
+    if (contact) refuse_subcycled_contact(scope, setup.model, contact->force().contact_mesh(), diagnostics);
+    subcycler.emplace(setup.model, state);
+  }
   stop_on_errors(diagnostics);
   if (share != nullptr) {
     setup.external.follow(share->followed());
@@ -262,13 +269,15 @@ std::vector<PartTime> Simulation::Parts::times() const {
   const bool has_own_contact = contact && !load_steps;
   const double of_contact = has_own_contact ? timed_contact->seconds() : 0.0;
   const double of_death = death ? death->seconds() : 0.0;
+  const double of_subcycles = subcycler ? subcycler->seconds() : 0.0;
   const double known = timed_internal.seconds() + timed_external.seconds() + of_contact + output_seconds +
-                       restart_seconds + of_death;
+                       restart_seconds + of_death + of_subcycles;
   const char* rest = !load_steps ? "nodes" : contact ? "contact and equations" : "equations";
   std::vector<PartTime> parts{{"elements", timed_internal.seconds()},
                               {"loads", timed_external.seconds()},
                               {rest, whole_seconds - known},
                               {"log and files", output_seconds}};
+  if (subcycler) parts.insert(parts.begin() + 1, {"elements, subcycled", of_subcycles});
   if (restart.stores()) parts.push_back({"restart files", restart_seconds});
   if (death) parts.push_back({"element death", of_death});
   if (has_own_contact) parts.insert(parts.begin() + 1, {"contact", of_contact});

@@ -19,6 +19,7 @@
 #include "core/conditions/condition_scope.hpp"
 #include "core/dynamics/internal_force.hpp"
 #include "core/dynamics/rank_share.hpp"
+#include "core/dynamics/subcycler.hpp"
 #include "core/output/output_plan.hpp"
 #include "core/statics/load_steps.hpp"
 
@@ -28,7 +29,10 @@ namespace contactsim {
 struct Simulation::Parts {
   Parts(const RunInput& run_input, RunSettings run_settings, Diagnostics& run_diagnostics);
 
-  ForceTerms terms() { return {timed_internal, timed_external, timed_contact ? &*timed_contact : nullptr}; }
+  ForceTerms terms() {
+    return {timed_internal, timed_external, timed_contact ? &*timed_contact : nullptr,
+            subcycler ? &*subcycler : nullptr};
+  }
   Checkpoint checkpoint();
   /// Gives files their names, and has steps end where they want them to. Throws FileError when one would
   /// replace what must be kept.
@@ -71,6 +75,7 @@ struct Simulation::Parts {
   const std::unique_ptr<RankShare> share;  // of explicit procedures on several ranks, else null
   std::int64_t complete_step = -1;         // whose state is complete
   InternalForce internal;
+  std::optional<Subcycler> subcycler;
   TimedForce timed_internal, timed_external;
   std::optional<TimedForce> timed_contact;
   std::optional<LoadSteps> load_steps;  // of implicit procedures

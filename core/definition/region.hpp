@@ -40,6 +40,7 @@ struct Region {
   std::vector<MassProperties> mass_properties;
   std::vector<SpotWeld> spot_welds;
   std::vector<MassScaling> mass_scalings;
+  std::vector<DeckName> subcycle_blocks;  ///< SUBCYCLE BLOCKS: of small elements, or ALL; empty: nothing is
 
   std::optional<SolverSettings> solver;                        ///< of implicit procedures
   std::optional<AdaptiveTimeStepping> adaptive_time_stepping;  ///< of implicit procedures

@@ -28,7 +28,8 @@ ChunkShares::ChunkShares(std::span<const ModelBlock> blocks, int n_ranks) {
   first_chunk_.push_back(0);
   for (const ModelBlock& block : blocks) {
     for (const BatchChunk& chunk : block.chunks) {
-      costs.push_back(cost_of_batch(block) * static_cast<double>(chunk.n_batches));
+      // Every rank advances what is subcycled.
+      costs.push_back(chunk.is_subcycled ? 0.0 : cost_of_batch(block) * static_cast<double>(chunk.n_batches));
     }
     first_chunk_.push_back(costs.size());
   }

@@ -14,6 +14,7 @@
 #include "core/dynamics/rank_share.hpp"
 #include "core/dynamics/rigid_motion.hpp"
 #include "core/dynamics/state_motion.hpp"
+#include "core/dynamics/subcycler.hpp"
 
 namespace contactsim {
 
@@ -257,21 +258,27 @@ StepReport start(const Model& model, ForceTerms forces, const TimeStepControl& c
   if (state.rotations.exist())
     model.rotation_constraints.constrain_velocity(between_turns(state, 0.0, dt), state.rotations.velocity);
   report = set_forces(forces, motion, state);  // bulk viscosity depends on the velocities
+  if (forces.subcycler != nullptr) forces.subcycler->start();
   complete(model, forces, control, report, state, share);
+  if (forces.subcycler != nullptr) forces.subcycler->end_step();
   return report;
 }
 
 StepReport advance(const Model& model, ForceTerms forces, const TimeStepControl& control, State& state,
                    RankShare* share) {
+  if (forces.subcycler != nullptr) forces.subcycler->begin_step();
   state.dt = state.next_dt;
   state.time += state.dt;
   ++state.step;
   const NodeRanges all(model.mesh->n_nodes());
   move(share != nullptr ? share->followed() : all, state);
   if (!model.rigid.empty()) move_rigid_bodies(model, state);
+  if (forces.subcycler != nullptr) forces.subcycler->move(control);
   const Motion motion = motion_of(state, state.dt);
   const StepReport report = set_forces(forces, motion, state);
+  if (forces.subcycler != nullptr) forces.subcycler->end_move();
   complete(model, forces, control, report, state, share);
+  if (forces.subcycler != nullptr) forces.subcycler->end_step();
   return report;
 }
 

@@ -9,12 +9,14 @@
 namespace contactsim {
 
 class RankShare;
+class Subcycler;
 
 /// What pushes the nodes of a run.
 struct ForceTerms {
   ForceTerm& internal;
   ForceTerm& external;
   ForceTerm* contact = nullptr;
+  Subcycler* subcycler = nullptr;  ///< of the elements that are advanced in parts of a step
 };
 
 /// What a step was like, besides the state it left.

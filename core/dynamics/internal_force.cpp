@@ -11,6 +11,7 @@
 #include "core/dynamics/block_at_rest.hpp"
 #include "core/dynamics/discrete_steps.hpp"
 #include "core/dynamics/rank_share.hpp"
+#include "core/elements/element_batches.hpp"
 #include "core/elements/element_table.hpp"
 #include "core/elements/elements.hpp"
 
@@ -18,14 +19,17 @@ namespace contactsim {
 
 namespace {
 
-/// The first element of the block whose volume is not positive.
-std::size_t find_inverted(const ModelBlock& block, const Eigen::Matrix3Xd& coordinates) {
+/// The first element of the chunks, which follow each other, whose volume is not positive.
+std::size_t find_inverted(const ModelBlock& block, std::span<const BatchChunk> chunks,
+                          const Eigen::Matrix3Xd& coordinates) {
   std::vector<Lanes> volumes(block.n_batches());
-  for (const BatchChunk& chunk : block.chunks) block.element->volumes(block, chunk, coordinates, volumes);
-  for (std::size_t element = 0; element < block.n_elements; ++element) {
+  for (const BatchChunk& chunk : chunks) block.element->volumes(block, chunk, coordinates, volumes);
+  const std::size_t first = n_lanes * chunks.front().first_batch;
+  const std::size_t end = n_lanes * (chunks.back().first_batch + chunks.back().n_batches);
+  for (std::size_t element = first; element < std::min(end, block.n_elements); ++element) {
     if (!(volumes[element / n_lanes](static_cast<Eigen::Index>(element % n_lanes)) > 0.0)) return element;
   }
-  return 0;
+  return first;
 }
 
 /// As all elements, or those of rigid bodies, would be stable at rest in the mesh if they were elastic.
@@ -67,7 +71,7 @@ InternalForce::InternalForce(const Model& model, State& state, RankShare* share)
   first_chunk_.push_back(0);
   for (const ModelBlock& block : model.blocks)
     first_chunk_.push_back(first_chunk_.back() + block.chunks.size());
-  chunks_.resize(first_chunk_.back());
+  chunks_.assign(first_chunk_.back(), batches::no_step());
 }
 
 std::span<const ChunkStep> InternalForce::steps_of(std::size_t block) const {
@@ -82,6 +86,7 @@ void InternalForce::advance_chunks(const Motion& motion) {
     const ChunkRange own = share_ != nullptr ? share_->own_chunks(index) : ChunkRange{0, block.chunks.size()};
     parallel_for(own.size(), threads_for(block.n_elements * 10), [&](std::size_t i) {
       const std::size_t chunk = own.begin + i;
+      if (block.chunks[chunk].is_subcycled) return;
       chunks_[first_chunk_[index] + chunk] =
           block.element->advance(block, block.chunks[chunk], motion, state);
     });
@@ -89,13 +94,13 @@ void InternalForce::advance_chunks(const Motion& motion) {
   if (share_ != nullptr) share_->exchange(chunks_, state_);
 }
 
-void InternalForce::stop_at_inverted(const ModelBlock& block, const Motion& motion) const {
-  if (share_ != nullptr) share_->complete_nodes(state_);  // of which the motion has the coordinates
-  const std::size_t element = find_inverted(block, motion.coordinates);
+void stop_at_inverted(const Mesh& mesh, const ModelBlock& block, std::span<const BatchChunk> chunks,
+                      const Motion& motion) {
+  const std::size_t element = find_inverted(block, chunks, motion.coordinates);
   const auto position = block.first_element.value + static_cast<std::uint32_t>(element);
   throw SolveError(motion.time,
-                   fmt::format("element {} of {} has turned inside out", model_.mesh->element_id({position}),
-                               model_.mesh->name({EntityKind::block, block.mesh_block})));
+                   fmt::format("element {} of {} has turned inside out", mesh.element_id({position}),
+                               mesh.name({EntityKind::block, block.mesh_block})));
 }
 
 namespace {
@@ -124,7 +129,10 @@ ForceReport InternalForce::set_forces(const Motion& motion, Eigen::Matrix3Xd& fo
     const ModelBlock& block = model_.blocks[index];
     if (block.is_rigid) continue;
     for (const ChunkStep& chunk : steps_of(index)) {
-      if (!(chunk.min_volume > 0.0)) stop_at_inverted(block, motion);
+      if (!(chunk.min_volume > 0.0)) {
+        if (share_ != nullptr) share_->complete_nodes(state_);  // of which the motion has the coordinates
+        stop_at_inverted(*model_.mesh, block, block.chunks, motion);
+      }
       if (chunk.stable_step < steps.min()) {
         report.critical_element = {block.first_element.value +
                                    static_cast<std::uint32_t>(chunk.critical_element)};

@@ -14,7 +14,12 @@ namespace contactsim {
 
 class RankShare;
 
-/// The forces of the elements' stresses.
+/// Throws SolveError naming the first element without a positive volume.
+///   chunks  of the block, one behind the other, that have one
+[[noreturn]] void stop_at_inverted(const Mesh& mesh, const ModelBlock& block,
+                                   std::span<const BatchChunk> chunks, const Motion& motion);
+
+/// The forces of the elements' stresses, of those that are advanced once in a step.
 class InternalForce final : public ForceTerm {
  public:
   /// All must outlive the term; it changes the elements' part of the state only.
@@ -28,7 +33,6 @@ class InternalForce final : public ForceTerm {
  private:
   void advance_chunks(const Motion& motion);
   std::span<const ChunkStep> steps_of(std::size_t block) const;
-  [[noreturn]] void stop_at_inverted(const ModelBlock& block, const Motion& motion) const;
 
   const Model& model_;
   State& state_;

@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <iterator>
 #include <limits>
 #include <optional>
 #include <string_view>
@@ -13,48 +12,11 @@
 #include "core/base/pluralize.hpp"
 #include "core/conditions/entity_elements.hpp"
 #include "core/definition/region.hpp"
-#include "core/dynamics/block_at_rest.hpp"
+#include "core/dynamics/scaled_block.hpp"
 
 namespace contactsim {
 
 namespace {
-
-/// Steps of single elements of a block at rest, and what makes them longer.
-class ScaledBlock {
- public:
-  ScaledBlock(const Mesh& mesh, ModelBlock& block) : block_(block), at_rest_(mesh, block) {}
-
-  /// The stable step that an element allows alone [time].
-  double stable_step(std::size_t element) {
-    const std::size_t batch = element / n_lanes;
-    const auto lane = static_cast<Eigen::Index>(element % n_lanes);
-    const auto parent =
-        std::prev(std::ranges::upper_bound(block_.chunks, batch, {}, &BatchChunk::first_batch));
-    const BatchChunk alone{batch, 1, parent->first_node, parent->n_nodes};
-    // The others of the batch are made so heavy that the least step is that of the element.
-    constexpr double heavy = 1e12;
-    Lanes factors = Lanes::Constant(heavy);
-    factors(lane) = 1.0;
-    const Lanes mass = block_.mass[batch];
-    const std::optional<Lanes> inertia =
-        block_.inertia.empty() ? std::nullopt : std::optional(block_.inertia[batch]);
-    scale(batch, factors);
-    const double step = at_rest_.stable_step(alone);
-    block_.mass[batch] = mass;
-    if (inertia) block_.inertia[batch] = *inertia;
-    return step;
-  }
-
-  /// Makes the elements of a batch heavier.
-  void scale(std::size_t batch, const Lanes& factors) {
-    block_.mass[batch] *= factors;
-    if (!block_.inertia.empty()) block_.inertia[batch] *= factors;
-  }
-
- private:
-  ModelBlock& block_;
-  BlockAtRest at_rest_;
-};
 
 /// What a MASS SCALING block has done.
 struct ScalingSum {

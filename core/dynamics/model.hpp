@@ -9,6 +9,7 @@
 #include "core/definition/declarations.hpp"
 #include "core/dynamics/rigid_bodies.hpp"
 #include "core/dynamics/state.hpp"
+#include "core/dynamics/subcycles.hpp"
 #include "core/elements/minimum_nodal_mass.hpp"
 #include "core/elements/model_block.hpp"
 #include "core/mesh/mesh.hpp"
@@ -27,6 +28,7 @@ struct Model {
   KinematicConstraints kinematic_constraints;
   KinematicConstraints rotation_constraints;  ///< of the nodes' rotations
   RigidBodies rigid;
+  Subcycles subcycles;
 };
 
 /// The masses of the nodes, as Model::mass.

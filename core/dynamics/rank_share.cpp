@@ -39,9 +39,13 @@ bool RankShare::has_element(ElementIndex element) const {
     const ModelBlock& block = model_.blocks[b];
     if (element < block.first_element || element.value >= block.first_element.value + block.n_elements)
       continue;
-    const std::size_t chunk =
-        (element.value - block.first_element.value) / (n_lanes * ModelBlock::batches_per_chunk);
-    return own_chunks(b).contains(chunk);
+    const std::size_t batch = (element.value - block.first_element.value) / n_lanes;
+    const ChunkRange own = own_chunks(b);
+    return std::any_of(block.chunks.begin() + static_cast<std::ptrdiff_t>(own.begin),
+                       block.chunks.begin() + static_cast<std::ptrdiff_t>(own.end),
+                       [&](const BatchChunk& chunk) {
+                         return chunk.first_batch <= batch && batch < chunk.first_batch + chunk.n_batches;
+                       });
   }
   return false;
 }
@@ -57,6 +61,7 @@ void RankShare::find_places() {
     const ChunkRange chunks = chunks_.of(from, b);
     for (std::size_t c = chunks.begin; c < chunks.end; ++c) {
       const BatchChunk& chunk = block.chunks[c];
+      if (chunk.is_subcycled) continue;  // every rank advances it
       for (std::size_t place = chunk.first_node; place < chunk.first_node + chunk.n_nodes; ++place) {
         if (nodes_.follows(to, block.chunk_nodes[place]))
           places[b].push_back(static_cast<std::uint32_t>(place));

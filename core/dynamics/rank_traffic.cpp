@@ -22,6 +22,7 @@ RankTraffic find_traffic(const Model& model, const ChunkShares& chunks, const No
     for (std::size_t from = 0; from < n_ranks; ++from) {
       const ChunkRange own = chunks.of(static_cast<int>(from), b);
       for (std::size_t c = own.begin; c < own.end; ++c) {
+        if (block.chunks[c].is_subcycled) continue;
         for (const std::uint32_t node : block.nodes_of(block.chunks[c])) {
           for (std::uint64_t left = nodes.followers(node); left != 0; left &= left - 1) {
             const auto to = static_cast<std::size_t>(std::countr_zero(left));

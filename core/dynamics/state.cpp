@@ -63,6 +63,20 @@ void archive(std::vector<RigidBodyState>& bodies, StateArchive& saved) {
   });
 }
 
+void archive(SubcycledNodes& nodes, StateArchive& saved) {
+  const std::string name = "subcycles/numbers";
+  if (!nodes.exist() && !(saved.restores() && saved.has(name))) return;
+  std::uint64_t n_nodes = static_cast<std::uint64_t>(nodes.forces.cols());
+  saved.expect("subcycles/n_nodes", n_nodes, "subcycled elements");
+  HeldStableStep& stable = nodes.stable_step;
+  saved.numbers(name, stable.now, stable.before, stable.count, stable.returning, nodes.first_dt,
+                nodes.n_parts);
+  saved.fixed("subcycles/forces", nodes.forces);
+  saved.fixed("subcycles/moments", nodes.moments);
+  saved.fixed("subcycles/acceleration", nodes.acceleration);
+  saved.fixed("subcycles/angular_acceleration", nodes.angular_acceleration);
+}
+
 }  // namespace
 
 void archive(State& state, StateArchive& saved) {
@@ -78,6 +92,7 @@ void archive(State& state, StateArchive& saved) {
   archive(state.energies, saved);
   saved.numbers("run/half_step_work", state.begun.internal, state.begun.external, state.begun.contact);
   saved.numbers("run/momentum", state.momentum);
+  archive(state.subcycled, saved);
   for (std::size_t i = 0; i < state.blocks.size(); ++i) {
     std::vector<Lanes>& values = state.blocks[i].values;
     saved.fixed(fmt::format("blocks/{}/values", i + 1),

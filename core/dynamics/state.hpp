@@ -77,6 +77,20 @@ struct DeathState {
   std::vector<double> checked;      ///< [n_deaths] when the criteria of each were looked at last [time]
 };
 
+/// What nodes of subcycled elements have besides, as Subcycles::nodes; arrays without columns where nothing
+/// is subcycled.
+struct SubcycledNodes {
+  Eigen::Matrix3Xd forces;   ///< [3 x n] of subcycled elements now, part of NodalForces::internal [force]
+  Eigen::Matrix3Xd moments;  ///< [3 x n] the same, of nodes that turn [force length]
+  Eigen::Matrix3Xd acceleration;          ///< [3 x n] by all other forces, constrained [length/time^2]
+  Eigen::Matrix3Xd angular_acceleration;  ///< [3 x n] the same, of nodes that turn [1/time^2]
+  HeldStableStep stable_step;             ///< of the subcycled elements
+  double first_dt = 0.0;                  ///< of the first part of a step [time]
+  std::int64_t n_parts = 0;               ///< that steps had so far
+
+  bool exist() const { return forces.cols() > 0; }
+};
+
 /// All that a step changes. Between steps every member belongs to `time`.
 struct State {
   std::int64_t step = 0;
@@ -95,6 +109,7 @@ struct State {
   HalfStepWork begun;  ///< of the half step that begins here: the forces of now along the velocity to come
   Eigen::Vector3d momentum = Eigen::Vector3d::Zero();  ///< [mass length/time]
   std::vector<ModelBlockState> blocks;                 ///< as Model::blocks
+  SubcycledNodes subcycled;
   DeathState death;
 };
 

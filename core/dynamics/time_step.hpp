@@ -45,6 +45,8 @@ struct HeldStableStep {
 
   /// Takes in the stable step of the elements and of contact; returns what the run may use.
   double take(double stable);
+  /// What was returned last [time].
+  double held() const { return returning > 0.0 ? returning : std::min(now, before); }
 
  private:
   double min_with(double stable);
@@ -70,6 +72,11 @@ class TimeStepControl {
   double end_of_period(double time) const {
     const std::size_t next = period_at(time) + 1;
     return next < periods_.size() ? periods_[next].start : termination_time_;
+  }
+
+  /// The share of the stable step that is taken [1].
+  double scale_factor_at(double time) const {
+    return periods_[period_at(time)].parameters.time_step_scale_factor;
   }
 
   /// From now on shortens steps such that one of them ends at each time of the target.

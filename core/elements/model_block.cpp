@@ -71,6 +71,14 @@ ModelBlock make_block(const Mesh& mesh, std::uint32_t mesh_block, const ElementF
   return block;
 }
 
+/// How many batches from one on go into a chunk.
+std::size_t find_chunk_size(std::span<const std::uint8_t> is_subcycled, std::size_t first) {
+  std::size_t end = first + 1;
+  const std::size_t last = std::min(first + ModelBlock::batches_per_chunk, is_subcycled.size());
+  while (end < last && is_subcycled[end] == is_subcycled[first]) ++end;
+  return end - first;
+}
+
 std::vector<Lanes> in_lanes(std::span<const double> numbers, std::size_t n_batches) {
   std::vector<Lanes> lanes(n_batches);
   for (std::size_t i = 0; i < n_batches * n_lanes; ++i)
@@ -136,6 +144,30 @@ ModelBlock make_discrete_block(const Mesh& mesh, std::uint32_t mesh_block, const
   block.section = in_lanes(sizes, block.n_batches());
   set_masses(mesh, block);
   return block;
+}
+
+void split_chunks(const Mesh& mesh, std::span<const std::uint8_t> is_subcycled, ModelBlock& block) {
+  block.chunks.clear();
+  block.chunk_nodes.clear();
+  block.nodes.clear();
+  ChunkNumbering numbering(mesh, mesh.blocks()[block.mesh_block]);
+  for (std::size_t first = 0; first < block.n_batches();) {
+    const std::size_t n_batches = find_chunk_size(is_subcycled, first);
+    numbering.add_chunk(first, n_batches, block);
+    block.chunks.back().is_subcycled = is_subcycled[first] != 0;
+    first += n_batches;
+  }
+  block.sums = NodeSums(block.chunk_nodes, mesh.n_nodes(), find_places(block, false));
+}
+
+std::vector<std::uint32_t> find_places(const ModelBlock& block, bool is_subcycled) {
+  std::vector<std::uint32_t> places;
+  for (const BatchChunk& chunk : block.chunks) {
+    if (chunk.is_subcycled != is_subcycled) continue;
+    for (std::size_t i = 0; i < chunk.n_nodes; ++i)
+      places.push_back(static_cast<std::uint32_t>(chunk.first_node + i));
+  }
+  return places;
 }
 
 ModelBlockState make_state(const ModelBlock& block) {

@@ -36,6 +36,7 @@ struct StateLayout {
 struct BatchChunk {
   std::size_t first_batch = 0, n_batches = 0;
   std::size_t first_node = 0, n_nodes = 0;  ///< in ModelBlock::chunk_nodes
+  bool is_subcycled = false;                ///< advanced in parts of a step, Subcycler
 };
 
 /// The elements of one block of the mesh, in batches of n_lanes; the last batch is filled up with copies of
@@ -68,7 +69,7 @@ struct ModelBlock {
   /// [n_batches x 6] the material's directions 1 and 2 at rest: of solids in coordinates, of shells in their
   /// own axes; empty of materials without
   std::vector<Lanes> directions;
-  NodeSums sums;  ///< from the nodes of chunks to those of the mesh
+  NodeSums sums;  ///< from the nodes of chunks to those of the mesh, subcycled chunks left out
 
   std::size_t n_batches() const { return mass.size(); }
   /// Where shells remember how their thickness has grown, as ShellMemory [1].
@@ -126,6 +127,13 @@ ModelBlock make_line_block(const Mesh& mesh, std::uint32_t mesh_block, const Ele
 ///   sizes  [n_elements] cross-section of lines [length^2]
 ModelBlock make_discrete_block(const Mesh& mesh, std::uint32_t mesh_block, const ElementFormulation& element,
                                double density, std::span<const double> sizes);
+
+/// Makes the chunks of a block anew, such that none has both batches that are subcycled and others.
+///   is_subcycled  [n_batches]
+void split_chunks(const Mesh& mesh, std::span<const std::uint8_t> is_subcycled, ModelBlock& block);
+
+/// The places in chunk_nodes of the chunks that are subcycled, or of the others, ascending.
+std::vector<std::uint32_t> find_places(const ModelBlock& block, bool is_subcycled);
 
 /// The state of undeformed elements at rest.
 ModelBlockState make_state(const ModelBlock& block);

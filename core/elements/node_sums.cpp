@@ -17,6 +17,23 @@ NodeSums::NodeSums(std::span<const std::uint32_t> nodes, std::size_t n_nodes) : 
   for (std::uint32_t place = 0; place < nodes.size(); ++place) places_[next[nodes[place]]++] = place;
 }
 
+namespace {
+
+std::vector<std::uint32_t> nodes_at(std::span<const std::uint32_t> nodes,
+                                    std::span<const std::uint32_t> places) {
+  std::vector<std::uint32_t> picked;
+  for (const std::uint32_t place : places) picked.push_back(nodes[place]);
+  return picked;
+}
+
+}  // namespace
+
+NodeSums::NodeSums(std::span<const std::uint32_t> nodes, std::size_t n_nodes,
+                   std::span<const std::uint32_t> places)
+    : NodeSums(nodes_at(nodes, places), n_nodes) {
+  for (std::uint32_t& place : places_) place = places[place];
+}
+
 void NodeSums::add(std::span<const NodeVector> parts, Eigen::Matrix3Xd& forces) const {
   add(parts, NodeRanges(forces.cols()), forces);
 }

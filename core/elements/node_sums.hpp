@@ -20,6 +20,9 @@ class NodeSums {
   ///   nodes    [n_places] of the mesh
   ///   n_nodes  of the mesh
   NodeSums(std::span<const std::uint32_t> nodes, std::size_t n_nodes);
+  /// Of some of the places alone.
+  ///   places  of nodes, ascending
+  NodeSums(std::span<const std::uint32_t> nodes, std::size_t n_nodes, std::span<const std::uint32_t> places);
 
   /// The nodes that have places, ascending.
   std::span<const NodeIndex> nodes() const { return nodes_; }

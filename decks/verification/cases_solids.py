@@ -49,6 +49,50 @@ def wave_in_bar(bench, n=100):
             Check("time of it", arrival, run["Time"][best], 0.01), energy_check(run, ["kinetic_energy"])]
 
 
+def graded_bar_mesh(n, short=0.1):
+    """n equal elements of a bar of length 2 with a short one among them."""
+    mesh, size, half = MeshMaker(), 2.0 / (n + short), n // 2
+    for name, begin, end, cells in (("left", 0, half, half), ("short", half, half + short, 1),
+                                    ("right", half + short, n + short, n - half)):
+        mesh.hexes(name, (begin * size, 0, 0), ((end - begin) * size, size, size), (cells, 1, 1))
+    mesh.node_set("wall", lambda x, y, z: x == 0)
+    return mesh
+
+
+def total_energy_check(name, run):
+    total = run["kinetic_energy"] + run["internal_energy"]
+    return at_most(f"{name}: change of energy", np.max(np.abs(total / total[0] - 1)), 0.01)
+
+
+@case()
+def graded_bar(bench, n=199):
+    runs = {"plain": bench.run("graded_bar", graded_bar_mesh(n), subcycled=0),
+            "subcycled": bench.run("graded_bar", graded_bar_mesh(n)),
+            "by sizes": bench.run("graded_bar", graded_bar_mesh(n), small="all")}
+    arrival = 2.0 / math.sqrt(3e12 / 7.8)
+    checks = []
+    for name, run in runs.items():
+        best = np.argmax(run["tip"])
+        checks += [Check(f"{name}: largest displacement of the free end", 1000 * arrival, run["tip"][best], 0.01),
+                   Check(f"{name}: time of it", arrival, run["Time"][best], 0.01), total_energy_check(name, run),
+                   energy_check(run, ["kinetic_energy"])]
+    plain, cycled = runs["plain"], runs["subcycled"]
+    off = np.abs(np.interp(cycled["Time"], plain["Time"], plain["tip"]) - cycled["tip"])
+    checks.append(at_most("free end, subcycled less plain, of v L/c", np.max(off) / (1000 * arrival), 0.01))
+    checks.append(at_most("free end, by sizes less named", np.max(np.abs(runs["by sizes"]["tip"] - cycled["tip"])), 0.0))
+    return checks
+
+
+@case(is_long=True)
+def graded_bar_long_after(bench, n=60, short=0.163):
+    """Vibrations that nothing damps go to and fro for 10^5 steps."""
+    run = bench.run("graded_bar", graded_bar_mesh(n, short), end_time=5e-3)
+    start = run["kinetic_energy"][0]
+    return [at_most("change of energy", np.max(np.abs((run["kinetic_energy"] + run["internal_energy"]) / start - 1)), 0.01),
+            at_most("kinetic energy beyond that of the start", np.max(run["kinetic_energy"] / start - 1), 0.01),
+            at_most("internal energy below zero", np.max(-run["internal_energy"] / start), 0.01)]
+
+
 def pushed_bar_mesh(n):
     return brick("bar", (1, 1 / n, 1 / n), (n, 1, 1), {"pushed": lambda x, y, z: x == 0})
 

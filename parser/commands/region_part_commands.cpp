@@ -139,6 +139,11 @@ std::vector<Row<Region>> region_part_rows() {
                              "Springs between nodes and faces that can fail"),
           block<R, MassScaling>("mass scaling", Naming::optional, mass_scaling_table, &R::mass_scalings,
                                 "Adds mass to elements for a larger time step"),
+          row("subcycle blocks", read::names_of_or_all(NameKind::block), &R::subcycle_blocks,
+              "Blocks of small elements, advanced in parts of the steps that all others allow; ALL: what "
+              "sizes "
+              "say",
+              "none"),
       },
       unsupported_rows(),
       implicit_region_rows(),

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include "support/catch.hpp"
+#include "support/mesh_builder.hpp"
 
 using namespace contactsim;
 using Catch::Contains;
@@ -35,4 +36,16 @@ TEST_CASE("the log says in a line how ranks share a run and what the busiest sen
         "bytes to 63 "
         "a step\n");
   CHECK(line.size() < 120);  // longer ones are wrapped
+}
+
+TEST_CASE("the log says what is subcycled, and what that saves", "[app][report][subcycler]") {
+  const Mesh mesh = test::MeshBuilder().add_hexes({}).build();
+  Model model;
+  model.mesh = &mesh;
+  StepReport at_start{0.5, std::nullopt};
+  CHECK_THAT(format_model(model, at_start), !Contains("subcycling"));
+  model.subcycles = {{NodeIndex{0}}, 20, 980, 10};
+  CHECK_THAT(format_model(model, at_start),
+             Contains("\n  subcycling: 20 elements in 10 parts of each step, 980 once: 8.47 times fewer are "
+                      "advanced\n"));
 }

@@ -74,6 +74,12 @@ TEST_CASE("load steps refuse what moves by inertia, at its line", "[app][refusal
         "error: mass scaling" + in_statics + "\nerror: viscous damping" + in_statics + "\n");
 }
 
+TEST_CASE("load steps, which have no stable step, refuse to be subcycled", "[app][refusals][subcycler]") {
+  CHECK(refused_of("subcycle blocks = all") == "");
+  CHECK(refused_of("subcycle blocks = all", true) ==
+        "d.i:13:19: error: SUBCYCLE BLOCKS" + in_statics + "; load steps have no stable step\n");
+}
+
 TEST_CASE("load steps refuse deaths that equilibrium does not know", "[app][refusals][death]") {
   SimulationDefinition definition = deck_of_region("");
   Procedure& procedure = definition.procedures.front();

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "core/elements/model_block.hpp"
 
+#include <algorithm>
+#include <array>
+
 #include "core/materials/linear_hardening.hpp"
 #include "support/catch.hpp"
 #include "support/lone_element.hpp"
@@ -44,6 +47,46 @@ TEST_CASE("a block stands in chunks, each with nodes of its own", "[core][elemen
   }
   CHECK(batch == block.n_batches());
   CHECK(node == block.chunk_nodes.size());
+}
+
+TEST_CASE("chunks are split where subcycled batches begin and end", "[core][elements]") {
+  const Mesh mesh = MeshBuilder().add_hexes({.cells = {11, 10, 10}}).build();
+  const ElementFormulation& row = *find_solid_element(Shape::hex8, "mean_quadrature");
+  ModelBlock block = make_solid_block(mesh, 0, row, undamped_elastic());
+  const ModelBlock whole = block;
+  std::vector<std::uint8_t> is_subcycled(138, 0);
+  for (const std::size_t batch : {5, 6, 137}) is_subcycled[batch] = 1;
+  split_chunks(mesh, is_subcycled, block);
+  const std::vector<std::array<std::size_t, 3>> expected{{0, 5, 0},   {5, 2, 1},   {7, 64, 0},
+                                                         {71, 64, 0}, {135, 2, 0}, {137, 1, 1}};
+  REQUIRE(block.chunks.size() == expected.size());
+  for (std::size_t i = 0; i < expected.size(); ++i) {
+    CHECK(block.chunks[i].first_batch == expected[i][0]);
+    CHECK(block.chunks[i].n_batches == expected[i][1]);
+    CHECK(block.chunks[i].is_subcycled == (expected[i][2] != 0));
+  }
+  // The elements have the nodes that they had.
+  for (const BatchChunk& chunk : block.chunks) {
+    for (std::size_t k = 8 * n_lanes * chunk.first_batch;
+         k < 8 * n_lanes * (chunk.first_batch + chunk.n_batches); ++k) {
+      const std::size_t parent = k / (8 * n_lanes) / ModelBlock::batches_per_chunk;
+      CHECK(block.nodes_of(chunk)[block.nodes[k]] == whole.nodes_of(whole.chunks[parent])[whole.nodes[k]]);
+    }
+  }
+  // Places of both kinds are all there are, once.
+  std::vector<std::uint32_t> places = find_places(block, false);
+  for (const std::uint32_t place : find_places(block, true)) {
+    CHECK(std::ranges::find(places, place) == places.end());
+    places.push_back(place);
+  }
+  CHECK(places.size() == block.chunk_nodes.size());
+  // None is, all are: as they were, and one kind of places.
+  split_chunks(mesh, std::vector<std::uint8_t>(138, 0), block);
+  CHECK(block.nodes == whole.nodes);
+  CHECK(block.chunk_nodes == whole.chunk_nodes);
+  split_chunks(mesh, std::vector<std::uint8_t>(138, 1), block);
+  CHECK(block.sums.nodes().empty());
+  CHECK(find_places(block, false).empty());
 }
 
 TEST_CASE("a state holds per point a stress and what the material remembers", "[core][elements]") {

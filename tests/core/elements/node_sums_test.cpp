@@ -24,6 +24,16 @@ TEST_CASE("what stands in several places is added at its node, in their order", 
   for (const Eigen::Index other : {0, 2, 3, 5}) CHECK(forces.col(other) == Eigen::Vector3d(0.5, 0.5, 0.5));
 }
 
+TEST_CASE("some of the places are added alone", "[core][elements]") {
+  const std::vector<std::uint32_t> nodes{4, 1, 4, 1, 4}, places{0, 3, 4};
+  const NodeSums sums(nodes, 6, places);
+  std::vector<NodeVector> parts;
+  for (int i = 1; i <= 5; ++i) parts.push_back(NodeVector::Constant(i));
+  Eigen::Matrix3Xd forces = Eigen::Matrix3Xd::Zero(3, 6);
+  sums.add(parts, forces);
+  CHECK(forces.row(0) == Eigen::RowVectorXd{{0, 4, 0, 0, 6, 0}});
+}
+
 TEST_CASE("no places, no nodes", "[core][elements]") {
   Eigen::Matrix3Xd forces = Eigen::Matrix3Xd::Ones(3, 2);
   NodeSums().add({}, forces);

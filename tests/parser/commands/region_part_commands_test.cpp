@@ -76,6 +76,16 @@ TEST_CASE("mass scaling is bound", "[parser][region]") {
   CHECK(scaling.allowable_mass_increase == 1.1);
 }
 
+TEST_CASE("blocks to subcycle are bound, by name or all", "[parser][region]") {
+  const auto blocks =
+      region_of("subcycle blocks = tip 'small part'\nsubcycle blocks = rim\n").subcycle_blocks;
+  REQUIRE(blocks.size() == 3);
+  CHECK(blocks[1].text == "small part");
+  CHECK(blocks[2].text == "rim");
+  CHECK(region_of("subcycle blocks = ALL\n").subcycle_blocks.at(0).text == "ALL");
+  CHECK(region_of("").subcycle_blocks.empty());
+}
+
 TEST_CASE("other estimates of the time step are ignored with all their lines", "[parser][region]") {
   CHECK(
       bound_region("begin node based time step parameters\n increment interval = 5\n step interval = 1\nend\n"
