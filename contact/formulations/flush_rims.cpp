@@ -51,7 +51,7 @@ bool has_opposite(const ContactStepContext& context, const Ahead& ahead, const E
       const FaceBound& bound = context.kinematics.bound(face);
       return contact_mesh.faces[face].surface == ahead.surface &&
              bound.normal().cast<double>().dot(out) < opposite &&
-             (context.kinematics.face(face).x.rowwise().mean() - x).dot(ahead.normal) <= 0.0;
+             (context.kinematics.face_corners(face).rowwise().mean() - x).dot(ahead.normal) <= 0.0;
     });
   });
 }
@@ -81,11 +81,10 @@ bool lie_in_strip(const ContactStepContext& context, FaceIndex face, const Ahead
       const double height = (x - centre).dot(out);
       if (out.dot(normal) > sharpest_smooth || !(height > 0.0)) continue;
       if (out.dot(ahead.normal) < max_skew) continue;  // it is the face beyond that stands on what lies ahead
-      if (!has_opposite(context, ahead, out)) continue;
       const double closed = std::max(0.0, ahead.closing.dot(out)) * context.dt;
       const double width = std::min(touched + just_flush * height + closed, height) * ahead.share;
-      if (std::ranges::all_of(ahead.points, [&](const auto& point) { return (x - point).dot(out) <= width; }))
-        return true;
+      const auto is_in_strip = [&](const auto& point) { return (x - point).dot(out) <= width; };
+      if (std::ranges::all_of(ahead.points, is_in_strip) && has_opposite(context, ahead, out)) return true;
     }
   }
   return false;

@@ -5,11 +5,9 @@
 #include <cstring>
 
 #include "contact/geometry/face_map.hpp"
+#include "contact/geometry/float_lanes.hpp"
 
 namespace contactsim {
-
-/// Four numbers that are worked on at once.
-using FourFloats [[gnu::vector_size(16)]] = float;
 
 /// Where a face is, roughly: enough to see that most candidates do not touch. All but its place has single
 /// precision, and vectors stand so that products with one vector are made together.

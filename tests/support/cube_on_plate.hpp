@@ -51,6 +51,7 @@ struct CubeOnPlate : ContactParts {
   std::vector<ContactPoint> find() {
     std::vector<ContactPoint> points;
     contacts.begin_step();
+    contacts.begin_detection(context(size));
     contacts.detect(context(size), {0, contacts.n_rows()}, points);
     contacts.update(context(size), {0, contacts.n_rows()}, points);
     return points;

@@ -12,7 +12,7 @@
 
 namespace contactsim {
 
-/// Where edges are, in half a cache line each: enough to see that most candidates do not cross.
+/// Where edges are and how they move, a cache line each: enough to see that most candidates do not touch.
 class EdgeBounds {
  public:
   /// Takes over where edges are.
@@ -29,15 +29,24 @@ class EdgeBounds {
       second[n++] = b;
     }
   };
-  /// Which pairs, as bits, may cross, seen along the normal of both, at whatever distance; those always that
-  /// are not both sharp, or of which one touched something. Says yes rather too often.
-  std::uint32_t may_cross(const Pairs& pairs) const;
+  /// Which pairs, as bits, may touch: seen along the normal of both they cross, and along it they are near
+  /// enough to close soon; those always that are not both sharp, or of which one touched something. Says yes
+  /// rather too often.
+  ///   ahead   within which they may close [time]
+  ///   offset  taken off their gap at most [length]
+  std::uint32_t may_touch(const Pairs& pairs, double ahead, double offset) const;
+  /// Has the bound of an edge fetched, while something else is done.
+  [[gnu::always_inline]] void prefetch(EdgeIndex edge) const { __builtin_prefetch(&bounds_[edge]); }
   std::size_t bytes() const { return bytes_of(bounds_); }
 
  private:
-  struct alignas(32) Bound {
+  struct alignas(64) Bound {
     Eigen::Vector3f from, along;  // first node, and from there to the second one [length]
-    float length;                 // not a number of an edge that counts always
+    float length = 0.0f;          // not a number of an edge that counts always
+    float thickness = 0.0f;       // of its element [length]
+    Eigen::Vector3f velocity;     // mean of the nodes [length/time]
+    float spread = 0.0f;          // of their velocities around it, at most [length/time]
+    std::array<float, 4> unused{};
   };
   IndexedVector<EdgeIndex, Bound> bounds_;
   FloatPositions positions_;

@@ -2,11 +2,11 @@
 #include "contact/formulations/edge_edge/edge_edge_contacts.hpp"
 
 #include <algorithm>
-#include <bit>
 #include <limits>
 
 #include "contact/formulations/contact_point_law.hpp"
 #include "contact/formulations/penalty.hpp"
+#include "contact/formulations/prefetch.hpp"
 #include "contact/interface_laws/friction.hpp"
 #include "contact/mesh/feature_edges.hpp"
 
@@ -55,22 +55,6 @@ bool backs_up_nodes(const PairRule& rule) {
   const SurfacePair& pair = *rule.pair;
   return rule.is_balanced && pair.formulation == ConstraintFormulation::node_face &&
          pair.behavior != InteractionBehavior::infinitesimal_sliding && !pair.gap.needs_start();
-}
-
-/// Whether two sharp edges that may cross are near enough, along the normal of both, to touch soon. Says yes
-/// rather too often.
-///   dt_ahead  within which they may close [time]
-///   offset    taken off their gap at most [length]
-bool may_reach(const ContactKinematics& kinematics, const ContactEdge& first, const ContactEdge& second,
-               double dt_ahead, double offset) {
-  const Eigen::Vector3d a = kinematics.x(first.nodes[0]), b = kinematics.x(second.nodes[0]);
-  const Eigen::Vector3d normal = (kinematics.x(first.nodes[1]) - a).cross(kinematics.x(second.nodes[1]) - b);
-  const auto v = [&](const ContactEdge& edge, std::size_t k) { return kinematics.v(edge.nodes[k]); };
-  double speed = 0.0;
-  for (std::size_t k = 0; k < 4; ++k) speed = std::max(speed, (v(first, k / 2) - v(second, k % 2)).norm());
-  const double height = (b - a).dot(normal),
-               reach = first.penalty_properties.thickness + offset + speed * dt_ahead;
-  return height * height <= reach * reach * normal.squaredNorm();
 }
 
 }  // namespace
@@ -173,24 +157,43 @@ void EdgeEdgeContacts::begin_detection(const ContactStepContext& context) {
   bounds_.update(context.kinematics, depth_before_);
 }
 
+/// As FaceFaceContacts::detect().
 void EdgeEdgeContacts::detect(const ContactStepContext& context, CandidateRows rows,
                               std::vector<ContactPoint>& points) const {
-  EdgeBounds::Pairs pairs;
-  const auto detect_pairs = [&] {
-    const std::uint32_t may_cross = bounds_.may_cross(pairs);
-    for (std::uint32_t left = may_cross; left != 0; left &= left - 1) {
-      const auto lane = static_cast<std::size_t>(std::countr_zero(left));
-      detect_one(context, pairs.first[lane], pairs.second[lane], points);
+  EdgeBounds::Pairs pairs{}, before{};
+  std::uint32_t near_before = 0;
+  const auto detect_before = [&] {
+    for (std::uint32_t left = near_before; left != 0; left &= left - 1) {
+      const ContactEdge& edge = contact_mesh_.edges[before.second[first_lane(left)]];
+      for (const ContactNodeIndex node : edge.nodes) prefetch(context.kinematics, node);
+      if (!edge.is_sharp()) continue;
+      for (const FaceIndex face : *edge.faces) prefetch(contact_mesh_.faces[face]);
     }
+    for (std::uint32_t left = near_before; left != 0; left &= left - 1)
+      detect_one(context, before.first[first_lane(left)], before.second[first_lane(left)], points);
+  };
+  const auto cull_pairs = [&] {
+    const std::uint32_t near = bounds_.may_touch(pairs, context.ahead(), context.rules.largest_reach());
+    for (std::uint32_t left = near; left != 0; left &= left - 1) {
+      const EdgeIndex second = pairs.second[first_lane(left)];
+      prefetch(contact_mesh_.edges[second]);
+      prefetch(depth_before_[second]);
+    }
+    detect_before();
+    before = pairs;
+    near_before = near;
     pairs.n = 0;
   };
   for (const EdgeIndex row : rows.indices<EdgeIndex>()) {
-    for (const EdgeIndex partner : candidates_.of(row)) {
-      pairs.add(row, partner);
-      if (pairs.are_full()) detect_pairs();
+    for (std::size_t k = candidates_.first_pair(row); k < candidates_.end_pair(row); ++k) {
+      pairs.add(row, candidates_.partner(k));
+      const std::size_t later = k + n_float_lanes;
+      if (later < n_candidates()) bounds_.prefetch(candidates_.partner(later));
+      if (pairs.are_full()) cull_pairs();
     }
   }
-  detect_pairs();
+  cull_pairs();
+  detect_before();
 }
 
 void EdgeEdgeContacts::detect_one(const ContactStepContext& context, EdgeIndex first_edge,
@@ -199,10 +202,6 @@ void EdgeEdgeContacts::detect_one(const ContactStepContext& context, EdgeIndex f
   const double before = std::max(depth_before_[first_edge], depth_before_[second_edge]);
   const bool are_sharp = first.is_sharp() && second.is_sharp();
   const GapOffsets& offsets = context.rules.gap_offsets();
-  // What touched nothing holds no slip.
-  if (are_sharp && before == 0.0 &&
-      !may_reach(context.kinematics, first, second, context.ahead(), context.rules.largest_reach()))
-    return;
   const PairIndex pair = *context.rules.find(first.surface, second.surface);
   const PairRule& rule = context.rules.of_edges(pair, first_edge, second_edge);
   if (rule.is_balanced != context.balances) return;

@@ -8,6 +8,7 @@
 #include "contact/formulations/cohesive_traction.hpp"
 #include "contact/formulations/flush_rims.hpp"
 #include "contact/formulations/penalty.hpp"
+#include "contact/formulations/prefetch.hpp"
 #include "contact/geometry/facets.hpp"
 #include "contact/smoothing/smooth_overlap.hpp"
 
@@ -20,23 +21,49 @@ constexpr double slide_depth = 0.1;
 
 }  // namespace
 
-bool FaceFaceContacts::are_far(const ContactStepContext& context, FaceIndex first, FaceIndex second) const {
-  if (context.is_static || !start_partners_.empty()) return false;
-  const FaceBound &a = context.kinematics.bound(first), &b = context.kinematics.bound(second);
-  const double closing = above_zero((b.velocity() - a.velocity()).dot(b.normal()));
-  return !may_touch(a, b, closing * context.ahead() + widest_reach_ + context.rules.largest_reach());
-}
-
+/// Sixteen candidates are culled, and what is known of those that are left fetched, before those that were
+/// left of the sixteen before are looked at.
 void FaceFaceContacts::detect(const ContactStepContext& context, CandidateRows rows,
                               std::vector<ContactPoint>& points) const {
-  for (const FaceIndex first : rows.indices<FaceIndex>()) {
-    for (std::size_t k = candidates_.first_pair(first); k < candidates_.end_pair(first); ++k) {
-      if (are_far(context, first, candidates_.partner(k))) continue;
-      const Candidate candidate = make_candidate(context, first, k);
+  const bool does_cull = culls(context);
+  const double reach = widest_reach_ + context.rules.largest_reach();
+  FacePairBounds::Pairs pairs{}, before{};
+  std::uint32_t near_before = 0;
+  const auto detect_before = [&] {
+    for (std::uint32_t left = near_before; left != 0; left &= left - 1) {
+      const FaceIndex second = before.second[first_lane(left)];
+      for (const ContactNodeIndex node : contact_mesh_.faces[second].corners)
+        prefetch(context.kinematics, node);
+    }
+    for (std::uint32_t left = near_before; left != 0; left &= left - 1) {
+      const std::size_t lane = first_lane(left);
+      const Candidate candidate = make_candidate(context, before.first[lane], before.position[lane]);
       detect_one(context, candidate, points);
       if (candidate.rule.acts_apart()) add_pull(context, candidate, points);
     }
+  };
+  const auto cull_pairs = [&] {
+    const std::uint32_t near = does_cull ? bounds_.may_touch(pairs, context.ahead(), reach) : pairs.all();
+    for (std::uint32_t left = near; left != 0; left &= left - 1) {
+      const FaceIndex second = pairs.second[first_lane(left)];
+      prefetch(contact_mesh_.faces[second]);
+      prefetch(context.kinematics.bound(second));
+    }
+    detect_before();
+    before = pairs;
+    near_before = near;
+    pairs.n = 0;
+  };
+  for (const FaceIndex first : rows.indices<FaceIndex>()) {
+    for (std::size_t k = candidates_.first_pair(first); k < candidates_.end_pair(first); ++k) {
+      pairs.add(first, candidates_.partner(k), k);
+      const std::size_t later = k + n_float_lanes;
+      if (does_cull && later < n_candidates()) bounds_.prefetch(candidates_.partner(later));
+      if (pairs.are_full()) cull_pairs();
+    }
   }
+  cull_pairs();
+  detect_before();
 }
 
 void FaceFaceContacts::detect_one(const ContactStepContext& context, const Candidate& candidate,

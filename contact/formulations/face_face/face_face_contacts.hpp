@@ -5,6 +5,7 @@
 
 #include "contact/formulations/contact_formulation.hpp"
 #include "contact/formulations/face_face/face_face_history.hpp"
+#include "contact/formulations/face_face/face_pair_bounds.hpp"
 #include "contact/formulations/face_face/meeting_faces.hpp"
 #include "contact/formulations/face_face/weighted_gaps.hpp"
 #include "contact/formulations/start_partners.hpp"
@@ -28,11 +29,14 @@ class FaceFaceContacts {
   std::size_t n_rows() const { return candidates_.n_rows(); }
   std::size_t n_candidates() const { return candidates_.partners.size(); }
   const FacePairLists& candidates() const { return candidates_; }
-  std::size_t bytes() const { return candidates_.bytes() + history_.bytes(); }
+  std::size_t bytes() const { return candidates_.bytes() + history_.bytes() + bounds_.bytes(); }
   void watch(IndexedVector<FaceIndex, std::uint8_t>& is_watched) const;
 
   void begin_step() { history_.begin_step(candidates_, contact_mesh_.faces.size()); }
   void undo_begin_step() { history_.undo_begin_step(); }
+  void begin_detection(const ContactStepContext& context) {
+    if (culls(context)) bounds_.update(context.kinematics);
+  }
   void detect(const ContactStepContext& context, CandidateRows rows, std::vector<ContactPoint>& points) const;
   void update(const ContactStepContext& context, CandidateRows rows, std::span<const ContactPoint> points) {
     if (rows.begin < rows.end) history_.update(context, candidates_, points);
@@ -66,9 +70,11 @@ class FaceFaceContacts {
     const PairRule& rule;
     PartnerCarry carry = {};
   };
-  /// Whether bounds alone say that two faces have nothing to do with each other. No more often than
+  /// Whether bounds say beforehand which candidates have nothing to do with each other. No more often than
   /// detect_one() and add_pull().
-  bool are_far(const ContactStepContext& context, FaceIndex first, FaceIndex second) const;
+  bool culls(const ContactStepContext& context) const {
+    return !context.is_static && start_partners_.empty() && n_candidates() > 0;
+  }
   Candidate make_candidate(const ContactStepContext& context, FaceIndex first, std::size_t position) const;
   /// What is taken off the gap of the mesh [length].
   static double offset_of(const ContactStepContext& context, const Candidate& candidate);
@@ -133,7 +139,8 @@ class FaceFaceContacts {
   StartPartners<FaceIndex> start_partners_;
   std::vector<ReleasedPartner<FaceIndex>> released_;
   FaceFaceHistory history_;
-  double widest_reach_;  // of all pairs, but for what closes and what is taken off gaps [length]
+  FacePairBounds bounds_;  // of the step
+  double widest_reach_;    // of all pairs, but for what closes and what is taken off gaps [length]
 };
 
 }  // namespace contactsim

@@ -2,7 +2,6 @@
 #include "contact/formulations/node_face/node_face_contacts.hpp"
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
 
 #include "contact/formulations/cohesive_traction.hpp"
@@ -13,6 +12,7 @@
 #include "contact/formulations/node_face/near_faces.hpp"
 #include "contact/formulations/node_share.hpp"
 #include "contact/formulations/penalty.hpp"
+#include "contact/formulations/prefetch.hpp"
 #include "contact/geometry/node_face.hpp"
 #include "contact/interface_laws/friction.hpp"
 #include "contact/smoothing/smooth_face.hpp"
@@ -63,6 +63,10 @@ void NodeFaceContacts::detect(const ContactStepContext& context, CandidateRows r
                               std::vector<ContactPoint>& points) const {
   NearFaces near_faces;
   for (const SurfaceNodeIndex row : rows.indices<SurfaceNodeIndex>()) {
+    const SurfaceNodeIndex next{row.value + 1};
+    if (next.value < rows.end) {
+      for (const FaceIndex face : candidates_.of(next)) prefetch(bounds_[face]);
+    }
     if (!candidates_.of(row).empty()) detect_one(context, row, near_faces, points);
   }
 }
@@ -96,8 +100,8 @@ void NodeFaceContacts::find_near_faces(const ContactStepContext& context, Surfac
   std::optional<NodeReach> reach;
   NodeReach::Faces faces;
   const auto add_faces = [&] {
-    for (std::uint32_t left = reach->find(faces); left != 0; left &= left - 1) {
-      const auto lane = static_cast<std::size_t>(std::countr_zero(left));
+    for (std::uint32_t left = reach->find(bounds_, faces); left != 0; left &= left - 1) {
+      const std::size_t lane = first_lane(left);
       add_near_face(context, row, {faces.face(lane), *reach, faces.limits(lane)}, node_history, near_faces);
     }
     faces.clear();
@@ -108,7 +112,7 @@ void NodeFaceContacts::find_near_faces(const ContactStepContext& context, Surfac
     if (surface && (surface != bound.surface || faces.are_full())) add_faces();
     if (surface != bound.surface) reach.emplace(context, bounds_, row, bound.surface, is_known);
     surface = bound.surface;
-    if (reach->rule().is_balanced == context.balances) faces.add(face, bound);
+    if (reach->rule().is_balanced == context.balances) faces.add(face);
   }
   if (surface) add_faces();
 }

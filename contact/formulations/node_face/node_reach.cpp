@@ -78,9 +78,10 @@ NodeReach::NodeReach(const ContactStepContext& context, const ReachBounds& bound
   goes_anywhere_ = rule_->pair->behavior == InteractionBehavior::infinitesimal_sliding;
 }
 
-std::uint32_t NodeReach::find(Faces& faces) const {
-  // The numbers of a bound in its order.
-  const auto& of = faces.bounds_;
+std::uint32_t NodeReach::find(const ReachBounds& bounds, Faces& faces) const {
+  RecordLanes<ReachBounds::Bound> of;  // the numbers of a bound in its order
+  of.fill(
+      faces.n_, [&](std::size_t lane) -> const auto& { return bounds[faces.faces_[lane]]; });
   const VectorLanes away = VectorLanes::all(x_) - of.vector(0), normal = of.vector(4),
                     closing = of.vector(8) - VectorLanes::all(v_);
   const FloatLanes radius = of[3], spread = of[7], warp = of[11], lean = of[12], thickness = of[13],

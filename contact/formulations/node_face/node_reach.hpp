@@ -58,17 +58,13 @@ class NodeReach {
    public:
     void clear() { n_ = 0; }
     bool are_full() const { return n_ == n_float_lanes; }
-    void add(FaceIndex face, const ReachBounds::Bound& bound) {
-      faces_[n_] = face;
-      bounds_.set(n_++, bound);
-    }
+    void add(FaceIndex face) { faces_[n_++] = face; }
     FaceIndex face(std::size_t lane) const { return faces_[lane]; }
     Limits limits(std::size_t lane) const { return {above_[lane], below_[lane], beyond_[lane]}; }
 
    private:
     friend class NodeReach;
     std::array<FaceIndex, n_float_lanes> faces_;
-    RecordLanes<ReachBounds::Bound> bounds_;
     std::size_t n_ = 0;
     FloatLanes above_, below_, beyond_;
   };
@@ -83,7 +79,7 @@ class NodeReach {
   double offset() const { return offset_; }
   double deeper() const { return deeper_; }
   /// Finds the limits of faces. Returns which of them, as bits, the node may touch.
-  std::uint32_t find(Faces& faces) const;
+  std::uint32_t find(const ReachBounds& bounds, Faces& faces) const;
 
  private:
   Eigen::Vector3f x_, v_;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "contact/formulations/edge_edge/edge_bounds.hpp"
 
+#include <algorithm>
+#include <cmath>
 #include <limits>
 
 #include "contact/mesh/feature_edges.hpp"
@@ -43,13 +45,34 @@ struct Bricks {
   IndexedVector<EdgeIndex, float> untouched;
 };
 
-/// Of a pair that stands in any lane among others.
-bool may_cross(const EdgeBounds& bounds, std::uint32_t a, std::uint32_t b) {
+/// Within which edges may close [time], and what is taken off their gaps [length].
+struct Reach {
+  double ahead = 0.0, offset = 1e9;
+};
+
+/// Of a pair that stands in any lane among others, at whatever distance if nothing is said.
+bool may_touch(const EdgeBounds& bounds, std::uint32_t a, std::uint32_t b, const Reach& reach = {}) {
   EdgeBounds::Pairs pairs;
   const std::uint32_t lane = (a + b) % n_float_lanes;
   for (std::uint32_t i = 0; i < lane; ++i) pairs.add({i % 12}, {12 + (b + i) % 12});
   pairs.add({a}, {b});
-  return (bounds.may_cross(pairs) >> lane & 1) != 0;
+  return (bounds.may_touch(pairs, reach.ahead, reach.offset) >> lane & 1) != 0;
+}
+
+/// How far apart two edges are along the normal of both, less what they may close by and what is left of
+/// their thickness [length].
+double distance_out_of_reach(const ContactKinematics& kinematics, const ContactEdge& first,
+                             const ContactEdge& second, const Reach& reach) {
+  const Vector3d a = kinematics.x(first.nodes[0]), b = kinematics.x(second.nodes[0]);
+  const Vector3d normal =
+      (kinematics.x(first.nodes[1]) - a).cross(kinematics.x(second.nodes[1]) - b).normalized();
+  double speed = 0.0;
+  for (const ContactNodeIndex i : first.nodes) {
+    for (const ContactNodeIndex j : second.nodes)
+      speed = std::max(speed, (kinematics.v(i) - kinematics.v(j)).norm());
+  }
+  return std::abs((b - a).dot(normal)) - first.penalty_properties.thickness - reach.offset -
+         speed * reach.ahead;
 }
 
 }  // namespace
@@ -74,7 +97,7 @@ TEST_CASE("edges that meet may cross as bounds have it, and most others may not"
         const bool meet = find_edge_gap(parts.kinematics, first, second, nearest_points(one, other),
                                         std::numeric_limits<double>::infinity(), true)
                               .has_value();
-        const bool may = may_cross(bounds, a, b);
+        const bool may = may_touch(bounds, a, b);
         if (meet && !may) FAIL("edges that meet are left out");
         n_meet += meet ? 1 : 0;
         n_may += may ? 1 : 0;
@@ -94,7 +117,7 @@ TEST_CASE("edges that have touched something may cross whatever they do", "[cont
   bounds.update(bricks.parts.kinematics, bricks.untouched);
   const auto n_partners = [&](std::uint32_t b) {
     int n = 0;
-    for (std::uint32_t a = 0; a < 12; ++a) n += may_cross(bounds, a, b) ? 1 : 0;
+    for (std::uint32_t a = 0; a < 12; ++a) n += may_touch(bounds, a, b) ? 1 : 0;
     return n;
   };
   const int n_of_other = n_partners(13);
@@ -103,4 +126,36 @@ TEST_CASE("edges that have touched something may cross whatever they do", "[cont
   bounds.update(bricks.parts.kinematics, bricks.untouched);
   CHECK(n_partners(12) == 12);
   CHECK(n_partners(13) == n_of_other);
+}
+
+TEST_CASE("edges that cross within reach along the normal of both may touch, others do not",
+          "[contact][edges]") {
+  const double far = GENERATE(0.0, 1e5), speed = GENERATE(0.0, 100.0), ahead = GENERATE(0.0, 0.002);
+  const Reach reach{ahead, 0.01};
+  Random random(2);
+  Bricks bricks;
+  ContactParts& parts = bricks.parts;
+  for (ContactEdge& edge : parts.contact_mesh.edges) edge.penalty_properties.thickness = 0.05;
+  EdgeBounds bounds;
+  int n_near = 0, n_left_out = 0;
+  for (int i = 0; i < 200; ++i) {
+    for (Eigen::Index k = 0; k < parts.v.cols(); ++k) parts.v.col(k) = random_vector(random, speed);
+    bricks.throw_at_random(random, far);
+    bounds.update(parts.kinematics, bricks.untouched);
+    for (std::uint32_t a = 0; a < 12; ++a) {
+      for (std::uint32_t b = 12; b < 24; ++b) {
+        if (!may_touch(bounds, a, b)) continue;
+        const double out = distance_out_of_reach(parts.kinematics, parts.contact_mesh.edges[{a}],
+                                                 parts.contact_mesh.edges[{b}], reach);
+        const bool may = may_touch(bounds, a, b, reach);
+        if (out <= 0.0 && !may) FAIL("edges within reach are left out");
+        // Speeds count by the sum of their components, and the nodes' apart from the mean's: twice, thrice.
+        if (out > 0.02 + 4.0 * std::sqrt(3.0) * speed * ahead && may) FAIL("edges out of reach are kept");
+        n_near += out <= 0.0 ? 1 : 0;
+        n_left_out += may ? 0 : 1;
+      }
+    }
+  }
+  CHECK(n_near > 100);
+  if (speed * ahead == 0.0) CHECK(n_left_out > 1000);
 }

@@ -97,8 +97,8 @@ TEST_CASE("no face that a node may touch is out of its reach, and most others ar
     for (std::size_t begin = 0; begin < of_slab.size(); begin += n_float_lanes) {
       faces.clear();
       const std::size_t n = std::min(n_float_lanes, of_slab.size() - begin);
-      for (std::size_t k = 0; k < n; ++k) faces.add(of_slab[begin + k], bounds[of_slab[begin + k]]);
-      const std::uint32_t in_reach = reach.find(faces);
+      for (std::size_t k = 0; k < n; ++k) faces.add(of_slab[begin + k]);
+      const std::uint32_t in_reach = reach.find(bounds, faces);
       CHECK(in_reach >> n == 0);
       for (std::size_t k = 0; k < n; ++k) {
         const bool may = (in_reach >> k & 1) != 0,
@@ -123,11 +123,10 @@ TEST_CASE("tolerances of a pair widen what is in reach", "[contact][node_face]")
     bounds.update(context);
     NodeReach::Faces faces;
     for (const FaceIndex face : indices(parts.contact_mesh.faces)) {
-      if (parts.contact_mesh.faces[face].surface == SurfaceIndex{0} && !faces.are_full())
-        faces.add(face, bounds[face]);
+      if (parts.contact_mesh.faces[face].surface == SurfaceIndex{0} && !faces.are_full()) faces.add(face);
     }
     const NodeReach reach(context, bounds, parts.row(), {0}, false);
-    reach.find(faces);
+    reach.find(bounds, faces);
     return faces.limits(0);
   };
   const auto plain = limits_of(""), wide = limits_of("normal tolerance = 4.0\ntangential tolerance = 0.5\n");
