@@ -33,7 +33,8 @@ struct BroadPhaseCounts {
 class BroadPhase {
  public:
   /// Ranks must outlive it; they search together.
-  explicit BroadPhase(Ranks& ranks = one_rank()) : ranks_(&ranks) {}
+  explicit BroadPhase(Ranks& ranks) : ranks_(&ranks) {}
+  BroadPhase() : BroadPhase(one_rank()) {}
 
   /// Takes the boxes as they are now: fits the tree to them, or builds it anew at the first use, when their
   /// number has changed, or when searches have come to take a fifth more visits than after the last build.
