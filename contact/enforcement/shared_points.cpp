@@ -10,8 +10,8 @@ namespace contactsim {
 
 namespace {
 
-/// What a chunk of rows costs in which nothing is near, in contact points: measured, a row of candidates that
-/// are far takes 5 to 20 ns, a contact point 1 to 3 us.
+/// What a chunk of rows costs in which nothing is near, in contact points: an estimate, 10 ns for each of its
+/// rows where a pair of faces takes 1.3 us (measured, two blocks of 48^3).
 constexpr double empty_chunk = 2.0;
 
 /// From so many contact points on a detection takes longer than two messages to all, of some 20 us each.
