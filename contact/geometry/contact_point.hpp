@@ -11,8 +11,11 @@ namespace contactsim {
 
 /// One side of a contact point: up to four contact nodes and their shares in the force.
 struct ContactPointSide {
+  /// Shares of nodes: not aligned, so that a contact point has no gaps.
+  using Weights = Eigen::Matrix<double, 4, 1, Eigen::DontAlign>;
+
   std::array<ContactNodeIndex, 4> nodes{};
-  Eigen::Vector4d weights = Eigen::Vector4d::Zero();  ///< sum 1; all 0 of a rigid side [1]
+  Weights weights = Weights::Zero();  ///< sum 1; all 0 of a rigid side [1]
   double radius = 0.0;  ///< by which the point stands off the nodes, towards the other side [length]
 
   /// Whether it is one node and not a face.
