@@ -163,7 +163,7 @@ void ContactForce::begin_step(const Motion& motion) {
   points_.clear();
   constraint_forces_.clear();
   assembler_.begin_work(kinematics_, motion.dt);
-  depths_.begin_step(contact_mesh_.faces.size());
+  depths_.begin_step(contact_mesh_);
   detection_.begin_step();
 }
 

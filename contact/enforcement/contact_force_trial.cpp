@@ -19,7 +19,7 @@ void ContactForce::begin_trials(const Motion& motion) {
   rules_.activate(motion.time, times_.is_active(motion.time));
   kinematics_.move_nodes(motion);
   update_candidates(motion);
-  depths_.begin_step(contact_mesh_.faces.size());
+  depths_.begin_step(contact_mesh_);
   detection_.begin_step();
   if (!trial_)
     trial_ = std::make_unique<ContactTrial>(contact_mesh_, kinematics_, setup_.contact.pairs.size(),

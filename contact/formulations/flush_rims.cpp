@@ -60,7 +60,7 @@ bool has_opposite(const ContactStepContext& context, const Ahead& ahead, const E
 bool lie_in_strip(const ContactStepContext& context, FaceIndex face, const Ahead& ahead) {
   const ContactMesh& contact_mesh = context.kinematics.contact_mesh();
   const ContactFace& side = contact_mesh.faces[face];
-  if (side.sharpness < min_rim) return false;
+  if (side.sharpness < min_rim || context.depths == nullptr) return false;
   // Found where a face beyond a rim has touched something, which few have.
   std::optional<FaceCorners> corners;
   Eigen::Vector3d normal, centre;
@@ -71,6 +71,7 @@ bool lie_in_strip(const ContactStepContext& context, FaceIndex face, const Ahead
     centre = 0.25 * (corners->col(0) + corners->col(1) + corners->col(2) + corners->col(3));
   };
   for (const ContactNodeIndex corner : side.corners) {
+    if (!context.depths->has_touched_at(corner)) continue;
     for (const FaceIndex beyond : contact_mesh.faces_of_node.of(corner)) {
       const double touched = flush_width(context, beyond);
       if (!(touched > 0.0)) continue;

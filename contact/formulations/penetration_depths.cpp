@@ -10,10 +10,16 @@
 
 namespace contactsim {
 
-void PenetrationDepths::begin_step(std::size_t n_faces) {
+void PenetrationDepths::begin_step(const ContactMesh& contact_mesh) {
+  const std::size_t n_faces = contact_mesh.faces.size();
   std::swap(last_, next_);
   last_.resize(n_faces, 0.0);
   next_.assign(n_faces, 0.0);
+  has_touched_.assign(contact_mesh.n_nodes(), 0);
+  for (const FaceIndex face : indices(last_)) {
+    if (!(last_[face] > 0.0)) continue;
+    for (const ContactNodeIndex corner : contact_mesh.faces[face].corners) has_touched_[corner] = 1;
+  }
 }
 
 void PenetrationDepths::note(const ContactKinematics& kinematics, const ContactPoint& point) {

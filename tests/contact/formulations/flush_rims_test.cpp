@@ -24,7 +24,7 @@ struct FlushBlocks {
     in_joint = face_of(parts, 0, Vector3d::UnitX());
     side = face_of(parts, 2, -Vector3d::UnitX());
     bottom = face_of(parts, 2, -Vector3d::UnitZ());
-    depths.begin_step(parts.contact_mesh.faces.size());
+    depths.begin_step(parts.contact_mesh);
     if (touched > 0.0) {
       ContactPoint point;
       point.first_entity = bottom.value;
@@ -38,7 +38,7 @@ struct FlushBlocks {
       point.gap = -touched;
       depths.note(parts.kinematics, point);
     }
-    depths.begin_step(parts.contact_mesh.faces.size());
+    depths.begin_step(parts.contact_mesh);
   }
   static MeshBuilder blocks(double deep) {
     MeshBuilder b;
@@ -75,7 +75,7 @@ TEST_CASE("the strip of a side face below a flush surface is no contact", "[cont
 TEST_CASE("a strip counts as flush only where the face beyond the rim has touched", "[contact][flush_rims]") {
   CHECK_FALSE(FlushBlocks(0.01, 0.0).is_flush());
   FlushBlocks blocks(0.01, 0.01);
-  blocks.depths.begin_step(blocks.parts.contact_mesh.faces.size());  // and not one step later
+  blocks.depths.begin_step(blocks.parts.contact_mesh);  // and not one step later
   CHECK_FALSE(blocks.is_flush());
 }
 

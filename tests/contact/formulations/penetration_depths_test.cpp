@@ -12,8 +12,9 @@ namespace {
 
 /// Two unit cubes above each other, of one face a side; surface 0 is the lower one.
 struct Cubes : ContactParts {
-  Cubes() : ContactParts(test::stacked_cubes(0.0), test::general_contact()) { depths.begin_step(n_faces()); }
-  std::size_t n_faces() const { return contact_mesh.faces.size(); }
+  Cubes() : ContactParts(test::stacked_cubes(0.0), test::general_contact()) {
+    depths.begin_step(contact_mesh);
+  }
   /// The face of a surface whose normal is along z.
   FaceIndex face(std::uint32_t surface, double z) const {
     for (const FaceIndex i : indices(contact_mesh.faces)) {
@@ -24,7 +25,7 @@ struct Cubes : ContactParts {
   }
   void note(const ContactPoint& point) { depths.note(kinematics, point); }
   double depth_after(FaceIndex face) {
-    depths.begin_step(n_faces());
+    depths.begin_step(contact_mesh);
     return depths.of(face);
   }
 
@@ -56,6 +57,13 @@ TEST_CASE("the depth of a face is the largest of the step before", "[contact][pe
   CHECK(cubes.depth_after(cubes.top) == 0.05);
   CHECK(cubes.depths.of(cubes.bottom) == 0.05);
   CHECK(cubes.depths.of(cubes.upper_top) == 0.0);
+  for (const ContactNodeIndex node : cubes.contact_mesh.nodes()) {
+    INFO("contact node " << node.value);
+    const auto has_corner = [&](FaceIndex face) {
+      return std::ranges::count(cubes.contact_mesh.faces[face].corners, node) > 0;
+    };
+    CHECK(cubes.depths.has_touched_at(node) == (has_corner(cubes.top) || has_corner(cubes.bottom)));
+  }
   CHECK(cubes.depth_after(cubes.top) == 0.0);  // nothing was noted since
 }
 
