@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "core/base/threads.hpp"
+
 namespace contactsim {
 
 namespace {
@@ -24,6 +26,22 @@ CandidateFilter::CandidateFilter(const ContactMesh& contact_mesh, const Mesh& me
       body_of_(body_of) {
   for (const PairRule& rule : rules.rules())
     has_to_face_.push_back(contactsim::has_to_face(rule, is_once) ? 1 : 0);
+  set_spans();
+}
+
+void CandidateFilter::renew() {
+  adjacent_.renew(mesh_);
+  set_spans();
+}
+
+void CandidateFilter::set_spans() {
+  const auto n = static_cast<std::uint32_t>(contact_mesh_.faces.size());
+  element_spans_.resize(n);
+  parallel_for(n, threads_for(n), [this](std::uint32_t i) {
+    const auto [lowest, highest] =
+        std::ranges::minmax(mesh_.element_nodes(contact_mesh_.faces[{i}].side.element()));
+    element_spans_[{i}] = {lowest, highest};
+  });
 }
 
 OptionalIndex<PairIndex> CandidateFilter::pair_of_faces(FaceIndex first, FaceIndex second) const {
@@ -39,7 +57,7 @@ bool CandidateFilter::faces_may_meet(PairIndex pair, FaceIndex first, FaceIndex 
   if (!rules_.start_reach().may_meet_faces(pair, first, second, a.surface)) return false;
   if (rules_[pair].only_ties() && !is_first_search_) return false;
   if (a.side.element() == b.side.element() || contact_mesh_.share_node(a, b)) return false;
-  if (are_skins_of_one(a.side, a.corners[0], b.side, b.corners[0])) return false;
+  if (are_skins_of_one(first, second)) return false;
   if (are_of_one_rigid_body(a.corners, b.corners)) return false;
   return !adjacent_.are_adjacent(first, second);
 }
@@ -70,7 +88,7 @@ bool CandidateFilter::edges_may_meet(EdgeIndex first, EdgeIndex second) const {
   if ((a.is_sharp() && b.is_particle()) || (a.is_particle() && b.is_sharp())) return false;
   if (a.is_sharp() && b.is_sharp() && !(a.is_feature && b.is_feature)) return false;
   if (a.is_sharp() && b.is_sharp() && (is_smoothed(a, *pair) || is_smoothed(b, *pair))) return false;
-  if (a.is_sharp() && b.is_sharp() && are_skins_of_one(a.side, a.nodes[0], b.side, b.nodes[0])) return false;
+  if (a.is_sharp() && b.is_sharp() && are_skins_of_one((*a.faces)[0], (*b.faces)[0])) return false;
   if (are_of_one_rigid_body(a.nodes, b.nodes)) return false;
   const auto is_of_b = [&](ContactNodeIndex node) {
     const ContactNodeIndex alike = contact_mesh_.first_alike[node];
@@ -91,11 +109,13 @@ OptionalIndex<std::uint32_t> CandidateFilter::rigid_body_of(std::span<const Cont
   return is_one ? first : OptionalIndex<std::uint32_t>();
 }
 
-bool CandidateFilter::are_skins_of_one(ElementSide first, ContactNodeIndex first_node, ElementSide second,
-                                       ContactNodeIndex second_node) const {
-  if (!contact_mesh_.is_mesh_point(first_node) || !contact_mesh_.is_mesh_point(second_node)) return false;
-  const auto nodes = mesh_.element_nodes(first.element());
-  return std::ranges::any_of(mesh_.element_nodes(second.element()),
+bool CandidateFilter::are_skins_of_one(FaceIndex first, FaceIndex second) const {
+  const NodeSpan &of_first = element_spans_[first], &of_second = element_spans_[second];
+  if (of_first.highest < of_second.lowest || of_second.highest < of_first.lowest) return false;
+  const ContactFace &a = contact_mesh_.faces[first], &b = contact_mesh_.faces[second];
+  if (!contact_mesh_.is_mesh_point(a.corners[0]) || !contact_mesh_.is_mesh_point(b.corners[0])) return false;
+  const auto nodes = mesh_.element_nodes(a.side.element());
+  return std::ranges::any_of(mesh_.element_nodes(b.side.element()),
                              [&](NodeIndex node) { return std::ranges::find(nodes, node) != nodes.end(); });
 }
 

@@ -7,6 +7,7 @@
 #include "contact/interface_laws/pair_rules.hpp"
 #include "contact/mesh/adjacent_faces.hpp"
 #include "contact/search/shell_sides.hpp"
+#include "core/base/bytes_of.hpp"
 #include "core/base/optional_index.hpp"
 #include "core/mesh/mesh.hpp"
 
@@ -24,7 +25,9 @@ class CandidateFilter {
                   std::span<const OptionalIndex<std::uint32_t>> body_of);
 
   /// To be called when faces and nodes of the contact mesh have changed.
-  void renew() { adjacent_.renew(mesh_); }
+  void renew();
+  /// The memory of what is known of faces [bytes].
+  std::size_t bytes() const { return bytes_of(element_spans_); }
   /// Whether candidates are those of the first search, as they are until this is called: later searches have
   /// none for pairs with ties alone, since what was near at the start is tied.
   void set_first_search(bool is_first) { is_first_search_ = is_first; }
@@ -54,13 +57,16 @@ class CandidateFilter {
     const OptionalIndex<std::uint32_t> body = rigid_body_of(a);
     return body && body == rigid_body_of(b);
   }
-  /// Whether faces, or edges, without a common node are of elements that have one: they face away from each
-  /// other, as the opposite skins of a plate one element thick, and would meet through their own material.
-  /// For lofts adjacent_ says so.
-  ///   first_node, second_node  any contact node of each
-  bool are_skins_of_one(ElementSide first, ContactNodeIndex first_node, ElementSide second,
-                        ContactNodeIndex second_node) const;
+  /// Whether faces without a common node are of elements that have one: they face away from each other, as
+  /// the opposite skins of a plate one element thick, and would meet through their own material. For lofts
+  /// adjacent_ says so.
+  bool are_skins_of_one(FaceIndex first, FaceIndex second) const;
   bool has_element_of(ContactNodeIndex node, const ContactFace& face) const;
+  /// Between which numbers those of some nodes of the mesh are: elements whose spans are apart share none.
+  struct NodeSpan {
+    NodeIndex lowest, highest;
+  };
+  void set_spans();
 
   const ContactMesh& contact_mesh_;
   const Mesh& mesh_;
@@ -68,6 +74,7 @@ class CandidateFilter {
   AdjacentFaces adjacent_;
   std::span<const OptionalIndex<std::uint32_t>> body_of_;  // [n_nodes], or empty
   IndexedVector<PairIndex, std::uint8_t> has_to_face_;     // [n_pairs]
+  IndexedVector<FaceIndex, NodeSpan> element_spans_;       // [n_faces] of the element behind a face
   bool is_first_search_ = true;
 };
 

@@ -97,10 +97,10 @@ class ContactSearch {
     return filter_.takes_part(pair, item);
   }
   std::uint64_t n_searches() const { return n_searches_; }
-  /// The memory of trees, margins and places of the last search [bytes].
+  /// The memory of trees, margins, filter and places of the last search [bytes].
   std::size_t bytes() const {
     return faces_phase_.bytes() + nodes_phase_.bytes() + edges_phase_.bytes() + margins_.bytes() +
-           turned_away_.bytes();
+           turned_away_.bytes() + filter_.bytes();
   }
   const BroadPhaseCounts& face_counts() const { return faces_phase_.counts(); }
   const BroadPhaseCounts& node_counts() const { return nodes_phase_.counts(); }
