@@ -22,6 +22,7 @@ struct ConstraintRow {
   double recovery = 0.0;  ///< part of its penetration that is to come out [length]
   double zero_gap = 0.0;  ///< at which it just touches [length]
   double softness = 0.0;  ///< gap per force of this point when all have its pressure, at most [length/force]
+  double area = 0.0;      ///< of its point [length^2]
   std::uint32_t point = 0;                ///< in ConstraintSystem::points
   OptionalIndex<std::uint32_t> friction;  ///< in ConstraintSystem::frictions, of a point with friction
   OptionalIndex<std::uint32_t> light;     ///< its row among those with light carriers
@@ -69,7 +70,6 @@ struct ConstraintSystem {
   void remove_rigid_rows();
 
   const ContactPoint& point_of(const ConstraintRow& row) const { return points[row.point]; }
-  double area_of(const ConstraintRow& row) const { return points[row.point].area; }
   /// Threads that are worth while for a loop over all rows.
   int n_threads() const { return threads_for(10 * rows.size()); }
 

@@ -92,6 +92,7 @@ void ContactConstraints::add(const ContactPoint& contact_point, const PairRule& 
   if (!is_constraint) return;
   Row row;
   row.point = static_cast<std::uint32_t>(system_.points.size() - 1);
+  row.area = contact_point.area;
   set_start(contact_point, rule, thickness, row);
   if (group == &alone) {
     alone.normal = node_vector(contact_point.normal);
@@ -128,13 +129,16 @@ LightAnswer ContactConstraints::answer(std::uint32_t light_point, const Eigen::V
   return ForceProjection(system_, dt_).answer(group->normal, system_.rows[row], dt_ * changed);
 }
 
-void ContactConstraints::begin_passes() {
-  if (system_.n_threads() == 1) return;
-  pushes_.make(carriers_.n_carriers(), [this](const auto& take) {
-    system_.visit_rows([&](const Group& group, std::uint32_t row) {
+void ContactConstraints::list_pushes() {
+  const int n_threads = system_.n_threads();
+  if (n_threads == 1) return;
+  const auto visit = [this](std::size_t begin, std::size_t end, const auto& take) {
+    const auto groups = std::span<const Group>(system_.groups).subspan(begin, end - begin);
+    ConstraintSystem::visit_rows(groups, [&](const Group& group, std::uint32_t row) {
       carriers_.visit_pushes(group.terms, system_.weights[row], row, take);
     });
-  });
+  };
+  pushes_.make(carriers_.n_carriers(), system_.groups.size(), n_threads, visit);
 }
 
 /// Gives each point the force that it is to push with, find_force(group, row, sums), and pushes the carriers.
@@ -189,11 +193,9 @@ ContactLoss ContactConstraints::finish() {
         entries[i] = losses.finish(row, row.force.dot(group.normal),
                                    dt_ * carriers_.change(group.terms, system_.weights[i]), sums);
       });
-  history_.begin();
-  for (std::size_t i = 0; i < system_.rows.size(); ++i) {
-    if (entries[i]) history_.remember(system_.points[system_.rows[i].point], *entries[i]);
-  }
-  history_.end();
+  history_.remember_rows(entries, system_.n_threads(), [this](std::size_t row) -> const ContactPoint& {
+    return system_.point_of(system_.rows[row]);
+  });
   begins_pressed_ = goes_on_ = false;
   return loss;
 }

@@ -33,8 +33,10 @@ class ContactConstraints {
   ///   thickness  of the thinner side [length]
   void add(const ContactPoint& contact_point, const PairRule& rule, double thickness);
 
+  /// To be called once all points are added, before anything of what follows.
+  void list_pushes();
   /// Adds the areas of the points to those of their carriers.
-  void add_areas(LeaningAreas& areas) const;
+  void add_areas(LeaningAreas& areas);
   /// Adds the points to what leans on their carriers.
   void add_loads(const LeaningAreas& areas, std::vector<CarrierLoad>& loads) const;
   /// Softness of each point, by all areas but those of light carriers. Points between sides that are held or
@@ -47,8 +49,6 @@ class ContactConstraints {
   void add_rows(LightCarriers& light);
   /// What the point of such a row answers to a velocity of its light carriers.
   LightAnswer answer(std::uint32_t light_point, const Eigen::Vector3d& velocity) const;
-  /// To be called once all is added, softness is set and recovery limited: passes may begin.
-  void begin_passes();
   /// Pushes the carriers by the forces of the last pass, from which the next one starts: without momentum.
   void push_forces();
   /// Finds the next forces, and pushes the carriers by those that the pass after starts from:
@@ -102,6 +102,7 @@ class ContactConstraints {
   ConstraintSystem system_;
   PushLists pushes_;                                                  // of several threads
   std::vector<NodeVector> pushing_;                                   // [n_rows] by which rows push then
+  std::vector<double> row_areas_;                                     // [n_rows] scratch [length^2]
   std::vector<std::pair<const Group*, std::uint32_t>> light_points_;  // with rows, of light carriers
   ContactHistory history_;
   bool begins_pressed_ = false;                   // the history is that of load steps

@@ -73,9 +73,12 @@ void ContactHistory::remember(const ContactPoint& point, const Entry& entry) {
   entries_.push_back({id_of(point), entry});
 }
 
-void ContactHistory::end() {
-  if (!std::ranges::is_sorted(entries_, {}, &PointId::key))
-    std::ranges::stable_sort(entries_, {}, &PointId::key);
+void ContactHistory::end(int n_threads) {
+  const std::size_t n_steps = entries_.empty() ? 0 : entries_.size() - 1;
+  const int descends = parallel_max(n_steps, n_threads, 0, [&](std::size_t i) {
+    return entries_[i + 1].key() < entries_[i].key() ? 1 : 0;
+  });
+  if (descends != 0) std::ranges::stable_sort(entries_, {}, &PointId::key);
   cursor_ = 0;
 }
 

@@ -124,9 +124,9 @@ BalanceReport MomentumBalance::solve(int max_iterations, RecoveryEnergy& recover
       ties_.empty() ? std::min<std::int64_t>(n_passes_, max_iterations) : max_iterations;
   const auto half = static_cast<std::size_t>(std::max<std::int64_t>(1, n_passes / 2));
   mobility_.begin_passes();
+  contacts_.list_pushes();
   set_softness();
   contacts_.limit_recovery(recovery);
-  contacts_.begin_passes();
   push_forces();
   momenta_.clear();
   double momentum = 0.0, before = 1.0, share = 1.0, since_restart = 0.0;

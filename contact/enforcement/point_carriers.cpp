@@ -49,18 +49,17 @@ void PointCarriers::find_general(const ContactPoint& contact_point, Terms& terms
   add_side(contact_point.second, -1.0);
 }
 
-double PointCarriers::turn_size(const Terms& terms, std::size_t term, const Direction& direction) const {
-  const std::uint32_t carrier = terms.carriers[term];
-  if (direction.has_friction) return mobility_.turn_bound(carrier) * arm(terms, term).norm();
-  return mobility_.turn_root(carrier, arm(terms, term).cross(Eigen::Vector3d(direction.normal.head<3>())));
+double PointCarriers::turn_size(std::uint32_t carrier, std::uint32_t arm, const Direction& direction) const {
+  if (direction.has_friction) return mobility_.turn_bound(carrier) * arms_[arm].norm();
+  return mobility_.turn_root(carrier, arms_[arm].cross(Eigen::Vector3d(direction.normal.head<3>())));
 }
 
 void PointCarriers::add_areas(const Terms& terms, const Weights& weights, const Direction& direction,
                               double area, LeaningAreas& areas) const {
   for (std::size_t i = 0; i < terms.n_terms; ++i) areas[terms.carriers[i]][0] += area * std::abs(weights[i]);
   if (!terms.first_arm) return;
-  for (std::size_t i = 0; i < terms.n_terms; ++i)
-    areas[terms.carriers[i]][1] += area * turn_size(terms, i, direction);
+  for (std::uint32_t i = 0; i < terms.n_terms; ++i)
+    areas[terms.carriers[i]][1] += area * turn_size(terms.carriers[i], *terms.first_arm + i, direction);
 }
 
 double PointCarriers::share(const Terms& terms, const Weights& weights, std::size_t term,
@@ -68,7 +67,8 @@ double PointCarriers::share(const Terms& terms, const Weights& weights, std::siz
   const std::uint32_t carrier = terms.carriers[term];
   const double moves = mobility_.translation_bound(carrier) * std::abs(weights[term]) * areas[carrier][0];
   if (!terms.first_arm) return moves;
-  return moves + turn_size(terms, term, direction) * areas[carrier][1];
+  return moves + turn_size(carrier, *terms.first_arm + static_cast<std::uint32_t>(term), direction) *
+                     areas[carrier][1];
 }
 
 void PointCarriers::add_loads(const Terms& terms, const Weights& weights, const Direction& direction,

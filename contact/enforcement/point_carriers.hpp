@@ -48,8 +48,8 @@ class PointCarriers {
   const Eigen::Vector3d& arm(const Terms& terms, std::size_t term) const {
     return arms_[*terms.first_arm + term];
   }
-  /// How far a force of 1 turns the carrier of a term with an arm, at the point and as a square root.
-  double turn_size(const Terms& terms, std::size_t term, const Direction& direction) const;
+  /// How far a force of 1 turns a carrier by one of the arms, at the point and as a square root.
+  double turn_size(std::uint32_t carrier, std::uint32_t arm, const Direction& direction) const;
   /// Adds a point's area to those of its carriers.
   void add_areas(const Terms& terms, const Weights& weights, const Direction& direction, double area,
                  LeaningAreas& areas) const;
