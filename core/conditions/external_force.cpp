@@ -165,6 +165,7 @@ void ExternalForce::add_damping(const Motion& motion, const Eigen::Matrix3Xd& ve
 }
 
 ForceReport ExternalForce::set_forces(const Motion& motion, Eigen::Matrix3Xd& forces) {
+  if (is_empty() && forces.cols() == 0) return {};
   forces.resize(3, mesh_->n_nodes());
   followed_.set_zero(forces);
   for (const NodeLoad& load : node_loads_) {

@@ -58,6 +58,10 @@ class ExternalForce final : public ForceTerm {
   void add_moment(NodeLoad moment) { node_moments_.push_back(std::move(moment)); }
   void add(FaceLoad load);
   void add(NodeDamping damping) { dampings_.push_back(std::move(damping)); }
+  /// Whether there are no loads at all.
+  bool is_empty() const {
+    return node_loads_.empty() && node_moments_.empty() && face_loads_.empty() && dampings_.empty();
+  }
   /// Adds the nodes to a list whose loads depend on where they are: of faces, and of functions in space.
   void add_nodes_where_place_counts(std::vector<NodeIndex>& nodes) const;
   /// From now on loads that are alike everywhere need act on these nodes only.
@@ -68,8 +72,9 @@ class ExternalForce final : public ForceTerm {
 
   /// Sums loads in the order in which they were added: the same bits for any number of threads. Allocates
   /// nothing. Throws SolveError when a load has no finite value.
-  /// The report sets no limit to the step. VELOCITY DAMPING COEFFICIENT acts on velocities half a step old:
-  /// density times wave speed, which lets waves out, is about the most that stays stable.
+  /// The report sets no limit to the step. Without loads, forces of no columns stay so. VELOCITY DAMPING
+  /// COEFFICIENT acts on velocities half a step old: density times wave speed, which lets waves out, is about
+  /// the most that stays stable.
   ForceReport set_forces(const Motion& motion, Eigen::Matrix3Xd& forces) override;
   /// As set_forces, of the prescribed moments.
   void set_moments(const Motion& motion, Eigen::Matrix3Xd& moments) override;

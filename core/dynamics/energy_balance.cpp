@@ -104,12 +104,15 @@ class Completion {
     sums.kinetic += now * now * mass;
     sums.conserved += after * (after - product_span_ * a) * mass;
     sums.momentum += mass * now;
-    const Group internal = load(nodes_.forces.internal, i), external = load(nodes_.forces.external, i);
+    const Group internal = load(nodes_.forces.internal, i);
     sums.unseen += (internal != 0.0).select(a * a * mass, 0.0);
     sums.internal_ended += internal * before;
     sums.internal_begun += internal * after;
-    sums.external_ended += external * before;
-    sums.external_begun += external * after;
+    if (nodes_.forces.external.size() > 0) {
+      const Group external = load(nodes_.forces.external, i);
+      sums.external_ended += external * before;
+      sums.external_begun += external * after;
+    }
     if (nodes_.forces.contact.size() == 0) return;
     const Group contact = load(nodes_.forces.contact, i);
     sums.contact_ended += contact * before;
@@ -125,7 +128,7 @@ Eigen::Vector3d reaction_at(const NodeMotion& nodes, NodeIndex node) {
   const Eigen::Index i = node.value;
   const NodalForces& forces = nodes.forces;
   Eigen::Vector3d reaction = nodes.mass(0, i) * nodes.acceleration.col(i) - forces.internal.col(i);
-  reaction -= forces.external.col(i);
+  if (forces.external.size() > 0) reaction -= forces.external.col(i);
   if (forces.contact.size() > 0) reaction -= forces.contact.col(i);
   return reaction;
 }

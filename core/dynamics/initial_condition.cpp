@@ -102,6 +102,7 @@ void InitialConditionSetter::set_nodal(const InitialCondition& condition) {
   const auto columns = find_columns(condition, *wanted);
   if (!columns) return;
   Eigen::Matrix3Xd& target = is_velocity ? state_.velocity : state_.displacement;
+  if (target.cols() == 0) target.setZero(3, scope_.mesh.n_nodes());
   for (std::size_t k = 0; k < columns->size(); ++k) {
     for (const NodeIndex node : nodes) {
       const double value = value_at((*columns)[k], node.value);

@@ -42,17 +42,19 @@ void set_block(const InitialElementValues& given, const ModelBlock& block, Model
 
 InitialState make_initial_state(const ConditionScope& scope, std::span<const ModelBlock> blocks) {
   InitialState state;
-  state.velocity = state.displacement = Eigen::Matrix3Xd::Zero(3, scope.mesh.n_nodes());
-  state.angular_velocity = state.velocity;
-  set_initial_velocity(scope, state.velocity, &state.angular_velocity);
+  state.velocity.setZero(3, scope.mesh.n_nodes());
+  const bool turns =
+      std::ranges::any_of(blocks, [](const ModelBlock& block) { return block.element->has_rotations; });
+  if (turns) state.angular_velocity = state.velocity;
+  set_initial_velocity(scope, state.velocity, turns ? &state.angular_velocity : nullptr);
   InitialConditionSetter setter(scope, blocks, state);
   for (const InitialCondition& condition : scope.region.initial_conditions) setter.set(condition);
   return state;
 }
 
 void set_initial_state(InitialState initial, std::span<const ModelBlock> blocks, State& state) {
-  state.velocity = std::move(initial.velocity);
-  state.coordinates += initial.displacement;
+  if (initial.velocity.cols() > 0) state.velocity = std::move(initial.velocity);
+  if (initial.displacement.cols() > 0) state.coordinates += initial.displacement;
   if (state.rotations.exist()) state.rotations.velocity = std::move(initial.angular_velocity);
   for (const InitialElementValues& given : initial.element_values) {
     for (std::size_t i = 0; i < blocks.size(); ++i) set_block(given, blocks[i], state.blocks[i]);

@@ -21,9 +21,9 @@ struct InitialElementValues {
 
 /// What the initial conditions of a region say of the start.
 struct InitialState {
-  Eigen::Matrix3Xd velocity;                         ///< [3 x n_nodes] [length/time]
-  Eigen::Matrix3Xd angular_velocity;                 ///< [3 x n_nodes] of nodes that turn [1/time]
-  Eigen::Matrix3Xd displacement;                     ///< [3 x n_nodes] from the mesh [length]
+  Eigen::Matrix3Xd velocity;          ///< [3 x n_nodes], 3 x 0: that which the state has [length/time]
+  Eigen::Matrix3Xd angular_velocity;  ///< [3 x n_nodes], 3 x 0 where no node turns [1/time]
+  Eigen::Matrix3Xd displacement;      ///< [3 x n_nodes] from the mesh, 3 x 0: none [length]
   std::vector<InitialElementValues> element_values;  ///< in deck order
 };
 

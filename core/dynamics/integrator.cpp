@@ -65,12 +65,15 @@ StepReport set_forces(ForceTerms terms, const Motion& motion, State& state) {
 void accelerate(const NodeRanges& nodes, const Eigen::Matrix3Xd& masses, const NodalForces& forces,
                 Eigen::Matrix3Xd& acceleration) {
   double* a = acceleration.data();
-  const double *mass = masses.data(), *internal = forces.internal.data(), *external = forces.external.data();
+  const double *mass = masses.data(), *internal = forces.internal.data();
+  const double* external = forces.external.size() > 0 ? forces.external.data() : nullptr;
   const double* contact = forces.contact.size() > 0 ? forces.contact.data() : nullptr;
   nodes.visit([=](std::int64_t begin, std::int64_t end) {
 #pragma omp simd
     for (std::int64_t i = 3 * begin; i < 3 * end; ++i)
-      a[i] = (internal[i] + external[i] + (contact != nullptr ? contact[i] : 0.0)) / mass[i];
+      a[i] = (internal[i] + (external != nullptr ? external[i] : 0.0) +
+              (contact != nullptr ? contact[i] : 0.0)) /
+             mass[i];
   });
 }
 
@@ -78,9 +81,7 @@ void accelerate(const NodeRanges& nodes, const Eigen::Matrix3Xd& masses, const N
 void accelerate(std::span<const std::uint32_t> nodes, const Eigen::Matrix3Xd& masses,
                 const NodalForces& forces, Eigen::Matrix3Xd& acceleration) {
   for (const std::uint32_t node : nodes) {
-    acceleration.col(node) =
-        (forces.internal.col(node) + forces.external.col(node) + forces.contact.col(node))
-            .cwiseQuotient(masses.col(node));
+    acceleration.col(node) = forces.at(node).cwiseQuotient(masses.col(node));
   }
 }
 

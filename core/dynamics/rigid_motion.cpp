@@ -10,21 +10,15 @@ Eigen::Matrix3Xd arms_of(const RigidBody& body, const Eigen::Quaterniond& orient
   return orientation.toRotationMatrix() * body.arms;
 }
 
-Eigen::Vector3d force_at(const NodalForces& forces, Eigen::Index node) {
-  Eigen::Vector3d sum = forces.internal.col(node) + forces.external.col(node);
-  if (forces.contact.cols() > 0) sum += forces.contact.col(node);
-  return sum;
-}
-
 void sum_forces(const RigidBody& body, const State& state, RigidBodyState& moving) {
   moving.force.setZero();
   moving.moment.setZero();
   for (const NodeIndex node : body.nodes) {
-    const Eigen::Vector3d force = force_at(state.forces, node.value);
+    const Eigen::Vector3d force = state.forces.at(node.value);
     const Eigen::Vector3d arm = state.coordinates.col(node.value) - moving.position;
     moving.force += force;
     moving.moment += arm.cross(force);
-    if (state.rotations.exist()) moving.moment += force_at(state.rotations.moments, node.value);
+    if (state.rotations.exist()) moving.moment += state.rotations.moments.at(node.value);
   }
 }
 

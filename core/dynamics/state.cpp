@@ -10,26 +10,42 @@
 
 namespace contactsim {
 
-State make_state(const Eigen::Matrix3Xd& coordinates, std::span<const ModelBlock> blocks, double time) {
+State make_state(const Eigen::Matrix3Xd& coordinates, std::span<const ModelBlock> blocks, double time,
+                 Eigen::Matrix3Xd velocity, bool has_loads) {
   State state;
   state.time = time;
   state.coordinates = coordinates;
-  const Eigen::Matrix3Xd zero = Eigen::Matrix3Xd::Zero(3, coordinates.cols());
-  state.velocity = state.acceleration = zero;
-  state.forces = {zero, zero, Eigen::Matrix3Xd(3, 0)};
+  const auto set_zero = [&](Eigen::Matrix3Xd& values) { values.setZero(3, coordinates.cols()); };
+  state.velocity = std::move(velocity);
+  if (state.velocity.cols() == 0) set_zero(state.velocity);
+  set_zero(state.acceleration);
+  set_zero(state.forces.internal);
+  if (has_loads) set_zero(state.forces.external);
   const auto turns = [](const ModelBlock& block) { return block.element->has_rotations; };
-  const bool any_turns = std::any_of(blocks.begin(), blocks.end(), turns);
-  const Eigen::Matrix3Xd none = any_turns ? zero : Eigen::Matrix3Xd(3, 0);
-  state.rotations = {none, none, none, {none, none, Eigen::Matrix3Xd(3, 0)}};
+  if (std::ranges::any_of(blocks, turns)) {
+    NodalRotations& of = state.rotations;
+    for (Eigen::Matrix3Xd* values :
+         {&of.angle, &of.velocity, &of.acceleration, &of.moments.internal, &of.moments.external})
+      set_zero(*values);
+  }
   for (const ModelBlock& block : blocks) state.blocks.push_back(make_state(block));
   return state;
 }
 
 namespace {
 
+/// A run goes on with loads where it had none before, and without those that it had.
+void archive_loads(const std::string& name, NodalForces& forces, StateArchive& saved) {
+  if (saved.restores() ? !saved.has(name) : forces.external.cols() == 0) return;
+  Eigen::Matrix3Xd gone;
+  Eigen::Matrix3Xd& external = forces.external.cols() == 0 ? gone : forces.external;
+  external.resizeLike(forces.internal);
+  saved.fixed(name, external);
+}
+
 void archive(const std::string& name, NodalForces& forces, StateArchive& saved) {
   saved.fixed(name + "/internal", forces.internal);
-  saved.fixed(name + "/external", forces.external);
+  archive_loads(name + "/external", forces, saved);
   saved.fixed(name + "/contact", forces.contact);
 }
 

@@ -17,8 +17,22 @@ class StateArchive;
 /// The forces on the nodes, each as it acts on them: mass x acceleration = internal + external + contact
 /// + reaction [3 x n_nodes] [force].
 struct NodalForces {
-  Eigen::Matrix3Xd internal, external;
-  Eigen::Matrix3Xd contact;  ///< 3 x 0 without contact
+  Eigen::Matrix3Xd internal;
+  Eigen::Matrix3Xd external;  ///< 3 x 0 of a run without loads
+  Eigen::Matrix3Xd contact;   ///< 3 x 0 without contact
+
+  Eigen::Vector3d external_at(Eigen::Index node) const { return column_of(external, node); }
+  Eigen::Vector3d contact_at(Eigen::Index node) const { return column_of(contact, node); }
+  /// The sum of all three.
+  Eigen::Vector3d at(Eigen::Index node) const {
+    return internal.col(node) + external_at(node) + contact_at(node);
+  }
+
+ private:
+  static Eigen::Vector3d column_of(const Eigen::Matrix3Xd& forces, Eigen::Index node) {
+    if (forces.cols() == 0) return Eigen::Vector3d::Zero();
+    return forces.col(node);
+  }
 };
 
 /// How the nodes turn. The arrays have no columns when no element has nodes that turn.
@@ -113,9 +127,12 @@ struct State {
   DeathState death;
 };
 
-/// The state of a mesh at rest: nothing is known yet of forces, energies and step sizes.
-///   blocks  of the model
-State make_state(const Eigen::Matrix3Xd& coordinates, std::span<const ModelBlock> blocks, double time);
+/// The state of a mesh: nothing is known yet of forces, energies and step sizes.
+///   blocks     of the model
+///   velocity   [3 x n_nodes], or 3 x 0: at rest [length/time]
+///   has_loads  else external forces are 0 and take no memory
+State make_state(const Eigen::Matrix3Xd& coordinates, std::span<const ModelBlock> blocks, double time,
+                 Eigen::Matrix3Xd velocity = Eigen::Matrix3Xd(3, 0), bool has_loads = true);
 
 /// Saves a state between two steps, or restores it; what every step works out anew is left out.
 ///   state  when it is restored, that of the start of the same model

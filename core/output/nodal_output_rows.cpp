@@ -24,16 +24,6 @@ void fill_from_state(const OutputContext& context, const EntityRange& range, Val
   fill_vectors(range, values, [&](Eigen::Index n) { return (context.state.*vectors).col(n); });
 }
 
-// Without contact there is an array of no columns.
-Eigen::Vector3d contact_force(const State& state, Eigen::Index node) {
-  if (node >= state.forces.contact.cols()) return Eigen::Vector3d::Zero();
-  return state.forces.contact.col(node);
-}
-
-Eigen::Vector3d acting_force(const State& state, Eigen::Index node) {
-  return state.forces.internal.col(node) + state.forces.external.col(node) + contact_force(state, node);
-}
-
 // Nodes without elements have next to no mass, which counts as none.
 double mass_of(const Model& model, Eigen::Index node) {
   const double mass = model.mass(0, node);
@@ -79,8 +69,7 @@ void fill_moment_internal(const OutputContext& context, const EntityRange& range
 
 void fill_moment_contact(const OutputContext& context, const EntityRange& range, Values values) {
   fill_rotations(context, range, values, [](const NodalRotations& r, Eigen::Index n) -> Eigen::Vector3d {
-    if (n >= r.moments.contact.cols()) return Eigen::Vector3d::Zero();
-    return r.moments.contact.col(n);
+    return r.moments.contact_at(n);
   });
 }
 
@@ -117,13 +106,13 @@ void fill_mass(const OutputContext& context, const EntityRange& range, Values va
 }
 
 void fill_residual(const OutputContext& context, const EntityRange& range, Values values) {
-  fill_vectors(range, values, [&](Eigen::Index n) { return acting_force(context.state, n); });
+  fill_vectors(range, values, [&](Eigen::Index n) { return context.state.forces.at(n); });
 }
 
 void fill_reaction(const OutputContext& context, const EntityRange& range, Values values) {
   fill_vectors(range, values, [&](Eigen::Index n) -> Eigen::Vector3d {
     if (!is_held(context.model, n)) return Eigen::Vector3d::Zero();
-    return inertial_force(context, n) - acting_force(context.state, n);
+    return inertial_force(context, n) - context.state.forces.at(n);
   });
 }
 
@@ -132,7 +121,7 @@ void fill_inertial(const OutputContext& context, const EntityRange& range, Value
 }
 
 void fill_external(const OutputContext& context, const EntityRange& range, Values values) {
-  fill_vectors(range, values, [&](Eigen::Index n) { return context.state.forces.external.col(n); });
+  fill_vectors(range, values, [&](Eigen::Index n) { return context.state.forces.external_at(n); });
 }
 
 void fill_internal(const OutputContext& context, const EntityRange& range, Values values) {
@@ -141,7 +130,7 @@ void fill_internal(const OutputContext& context, const EntityRange& range, Value
 }
 
 void fill_contact(const OutputContext& context, const EntityRange& range, Values values) {
-  fill_vectors(range, values, [&](Eigen::Index n) { return contact_force(context.state, n); });
+  fill_vectors(range, values, [&](Eigen::Index n) { return context.state.forces.contact_at(n); });
 }
 
 }  // namespace

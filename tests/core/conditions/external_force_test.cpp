@@ -59,7 +59,12 @@ struct Loaded {
 
 TEST_CASE("without loads there are no forces", "[core][conditions]") {
   const Mesh mesh = loaded_brick();
-  CHECK(Loaded(mesh, "").at(0.0).isZero(0.0));
+  Loaded none(mesh, "");
+  CHECK(none.at(0.0).isZero(0.0));
+  CHECK(none.force->is_empty());
+  Eigen::Matrix3Xd no_columns(3, 0);
+  none.force->set_forces({0.0, 0.1, none.x, none.v}, no_columns);
+  CHECK(no_columns.cols() == 0);
 }
 
 TEST_CASE("gravity is mass times acceleration, and several add", "[core][conditions]") {

@@ -82,6 +82,22 @@ TEST_CASE("at the start the conserved energy is that of a step mirrored in time"
   CHECK(balance.conserved == Approx(0.5 * nodes.model.mass.cwiseProduct(after).cwiseProduct(behind).sum()));
 }
 
+TEST_CASE("a run without loads has the energies and reactions of loads of 0", "[core][energy_balance]") {
+  Nodes zero(9), none(9);
+  zero.state.forces.external.setZero();
+  none.state.forces.external.resize(3, 0);
+  CHECK(reaction_at(none.model, none.state, {1}) == reaction_at(zero.model, zero.state, {1}));
+  const EnergyBalance with = complete_velocities(zero.model, zero.state),
+                      without = complete_velocities(none.model, none.state);
+  CHECK(none.state.velocity == zero.state.velocity);
+  CHECK(without.kinetic == with.kinetic);
+  CHECK(without.conserved == with.conserved);
+  CHECK(without.begun.internal == with.begun.internal);
+  CHECK(without.begun.contact == with.begun.contact);
+  CHECK(without.ended.external == 0.0);
+  CHECK(without.begun.external == 0.0);
+}
+
 TEST_CASE("the reaction is what mass times acceleration has beyond the forces", "[core][energy_balance]") {
   Nodes nodes(3);
   const State& state = nodes.state;

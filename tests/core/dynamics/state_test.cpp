@@ -83,6 +83,42 @@ TEST_CASE("a state at rest stands on the mesh with no forces and knows no step y
   CHECK(state.rigid.empty());
 }
 
+TEST_CASE(
+    "a state begins with velocities that it is given, and external forces take room where there are loads",
+    "[core][state]") {
+  const SampleRun run;
+  const auto n = static_cast<Eigen::Index>(run.mesh.n_nodes());
+  const Matrix3Xd velocity = Matrix3Xd::Constant(3, n, 5.0);
+  State state = make_state(run.mesh.coordinates(), run.model.blocks, 0.0, velocity, false);
+  CHECK(state.velocity == velocity);
+  CHECK(state.forces.external.cols() == 0);
+  state.forces.internal.col(1) = Eigen::Vector3d(1, 2, 3);
+  CHECK(state.forces.at(1) == Eigen::Vector3d(1, 2, 3));
+  state.forces.external = velocity;
+  state.forces.contact = 10.0 * velocity;
+  CHECK(state.forces.at(1) == Eigen::Vector3d(56, 57, 58));
+}
+
+TEST_CASE("a state is restored into one with loads where it had none, and the other way round",
+          "[core][state]") {
+  SampleRun run;
+  State without = make_state(run.mesh.coordinates(), run.model.blocks, 0.0, Matrix3Xd(3, 0), false);
+  State with = make_state(run.mesh.coordinates(), run.model.blocks, 0.0);
+  with.forces.external.setConstant(4.0);
+  with.forces.internal.setConstant(3.0);
+  without.forces.internal.setConstant(2.0);
+  const SavedState saved_with = saved_of(with), saved_without = saved_of(without);
+  State begun = make_state(run.mesh.coordinates(), run.model.blocks, 0.0);
+  StateArchive from_without(saved_without);
+  archive(begun, from_without);
+  CHECK(begun.forces.internal == without.forces.internal);
+  CHECK(begun.forces.external == Matrix3Xd::Zero(3, begun.forces.internal.cols()));
+  StateArchive from_with(saved_with);
+  archive(without, from_with);
+  CHECK(without.forces.internal == with.forces.internal);
+  CHECK(without.forces.external.cols() == 0);
+}
+
 TEST_CASE("nodes have rotations where some block has nodes that turn", "[core][state]") {
   MeshBuilder b;
   b.add_hexes({.id = 1});
