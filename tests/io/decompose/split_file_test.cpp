@@ -4,6 +4,7 @@
 #include <filesystem>
 
 #include "io/decompose/join_file.hpp"
+#include "io/exodus/sample_results.hpp"
 #include "io/pieces/split_mesh.hpp"
 #include "support/catch.hpp"
 
@@ -93,4 +94,25 @@ TEST_CASE("pieces are divided anew", "[io][decompose]") {
   CHECK(pieces[0].path == mesh.base() + ".5.0");
   Diagnostics warnings;
   check_same(read_mesh(pieces[4].path, warnings), row_of_hexes().build());
+}
+
+// Written here and looked at by pieces_in_vtk.py, which CTest runs afterwards where VTK is installed.
+TEST_CASE("pieces for VTK to read", "[.][vtk]") {
+  const std::string path = std::string(CONTACTSIM_BINARY_DIR) + "/pieces_for_vtk.e";
+  for (int piece = 0; piece < 3; ++piece) std::filesystem::remove(path + ".3." + std::to_string(piece));
+  // Each reader of VTK has its own order of bars and particles: solids and shells are compared.
+  MeshBuilder builder;
+  builder.add_hexes({.id = 10, .name = "lower", .cells = {3, 3, 2}})
+      .add_tets({.id = 7, .name = "upper", .origin = {0, 0, 1}})
+      .add_shells({.id = 3, .name = "skin", .cells = {2, 2}, .origin = {0, 0, 3}});
+  std::vector<std::int64_t> ids(builder.build().n_nodes());
+  for (std::size_t i = 0; i < ids.size(); ++i) ids[i] = static_cast<std::int64_t>(1000 - 3 * i);
+  builder.set_node_ids(ids);
+  SampleResults results(builder.build());
+  {
+    ResultsWriter writer(path, results.mesh(), {"for VTK", {}, {}}, results.fields());
+    results.set_step(1);
+    writer.write_step(0.5, results.values());
+  }
+  CHECK(split_file(path, 3).size() == 3);
 }
