@@ -22,11 +22,11 @@ class SharedPartsWriter {
             {{"ns_node_cnt_global", "num_nod_ns"}, {"ns_df_cnt_global", "num_df_ns"}});
     add_ids("num_side_sets", "ss_prop1", "num_ss_global", "ss_ids_global",
             {{"ss_side_cnt_global", "num_side_ss"}, {"ss_df_cnt_global", "num_df_ss"}});
-    add_parts("num_int_node", "node_mapi", "int_n_stat", "num_bor_node", "node_mapb", "bor_n_stat",
-              n_items("num_nodes"), border_nodes());
+    add_parts({"num_int_node", "node_mapi", "int_n_stat"}, {"num_bor_node", "node_mapb", "bor_n_stat"},
+              border_nodes());
     define("ext_n_stat", "num_procs_file", {0});
-    add_parts("num_int_elem", "elem_mapi", "int_e_stat", "num_bor_elem", "elem_mapb", "bor_e_stat",
-              n_items("num_elem"), border_elements());
+    add_parts({"num_int_elem", "elem_mapi", "int_e_stat"}, {"num_bor_elem", "elem_mapb", "bor_e_stat"},
+              border_elements());
     add_shared_nodes();
     add_shared_sides();
     add_attributes();
@@ -93,34 +93,44 @@ class SharedPartsWriter {
     return is_border;
   }
 
-  void add_parts(const char* internal, const char* internal_map, const char* internal_status,
-                 const char* border, const char* border_map, const char* border_status, std::size_t n,
-                 const std::vector<std::uint8_t>& is_border) {
-    Numbers inside, at_border;
-    for (std::size_t i = 0; i < n; ++i)
-      (is_border[i] != 0 ? at_border : inside).push_back(static_cast<std::int64_t>(i + 1));
-    define(internal_status, "num_procs_file", {inside.empty() ? 0 : 1});
-    define(border_status, "num_procs_file", {at_border.empty() ? 0 : 1});
-    add_dimension(internal, inside.size());
-    add_dimension(border, at_border.size());
-    define(internal_map, internal, std::move(inside));
-    define(border_map, border, std::move(at_border));
+  /// What a part of the nodes or elements is called.
+  struct PartNames {
+    const char *count, *numbers, *status;
+  };
+
+  void add_part(const PartNames& names, Numbers numbers) {
+    define(names.status, "num_procs_file", {numbers.empty() ? 0 : 1});
+    add_dimension(names.count, numbers.size());
+    define(names.numbers, names.count, std::move(numbers));
   }
 
+  void add_parts(const PartNames& internal, const PartNames& border,
+                 const std::vector<std::uint8_t>& is_border) {
+    Numbers inside, at_border;
+    for (std::size_t i = 0; i < is_border.size(); ++i)
+      (is_border[i] != 0 ? at_border : inside).push_back(static_cast<std::int64_t>(i + 1));
+    add_part(internal, std::move(inside));
+    add_part(border, std::move(at_border));
+  }
+
+  /// What a list of what is shared is called.
+  struct ListNames {
+    const char *count, *ids, *status, *end, *length;
+  };
+
   /// One list with the number 1, which ends with its last entry.
-  void add_list(const char* count, const char* ids, const char* status, const char* end, const char* length,
-                std::size_t n) {
-    add_dimension(count, 1);
-    add_dimension(length, n);
-    define(ids, count, {1});
-    define(status, count, {1});
-    define(end, count, {static_cast<std::int64_t>(n)});
+  void add_list(const ListNames& names, std::size_t n) {
+    add_dimension(names.count, 1);
+    add_dimension(names.length, n);
+    define(names.ids, names.count, {1});
+    define(names.status, names.count, {1});
+    define(names.end, names.count, {static_cast<std::int64_t>(n)});
   }
 
   void add_shared_nodes() {
     const std::vector<SharedNode>& shared = whole_.division.nodes[piece_];
     if (shared.empty()) return;
-    add_list("num_n_cmaps", "n_comm_ids", "n_comm_stat", "n_comm_data_idx", "ncnt_cmap", shared.size());
+    add_list({"num_n_cmaps", "n_comm_ids", "n_comm_stat", "n_comm_data_idx", "ncnt_cmap"}, shared.size());
     Numbers nodes, pieces;
     for (const SharedNode& one : shared) {
       nodes.push_back(one.node + 1);
@@ -133,7 +143,7 @@ class SharedPartsWriter {
   void add_shared_sides() {
     const std::vector<SharedSide>& shared = whole_.division.sides[piece_];
     if (shared.empty()) return;
-    add_list("num_e_cmaps", "e_comm_ids", "e_comm_stat", "e_comm_data_idx", "ecnt_cmap", shared.size());
+    add_list({"num_e_cmaps", "e_comm_ids", "e_comm_stat", "e_comm_data_idx", "ecnt_cmap"}, shared.size());
     Numbers elements, sides, pieces;
     for (const SharedSide& one : shared) {
       elements.push_back(one.element + 1);
