@@ -133,8 +133,8 @@ class MeshDivider {
         return std::tuple(shared.element, shared.side, shared.piece);
       };
       std::ranges::sort(of_piece, {}, key);
-      const auto same = std::ranges::unique(of_piece, {}, key);
-      of_piece.erase(same.begin(), same.end());
+      const auto is_same = [&](const SharedSide& a, const SharedSide& b) { return key(a) == key(b); };
+      of_piece.erase(std::unique(of_piece.begin(), of_piece.end(), is_same), of_piece.end());
     }
   }
 
