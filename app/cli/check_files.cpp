@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <utility>
 #include <vector>
 
 #include "app/cli/run_mesh.hpp"
@@ -24,11 +25,16 @@ std::vector<RunFile> files_read_by(const Options& options, const RunDeck& deck) 
     files.push_back(
         {include_path(options.includes_folder, source.name).string(), "a file that the deck includes"});
   }
-  if (deck.definition.procedures.empty())
-    files.push_back({run_mesh_path(options, deck.definition, Region{}), "the mesh"});
+  const auto add_mesh = [&](const Region& region) {
+    const std::string path = run_mesh_path(options, deck.definition, region);
+    files.push_back({path, "the mesh"});
+    for (std::string& piece : list_mesh_files(path)) {
+      if (piece != path) files.push_back({std::move(piece), "a piece of the mesh"});
+    }
+  };
+  if (deck.definition.procedures.empty()) add_mesh(Region{});
   for (const Procedure& procedure : deck.definition.procedures) {
-    for (const Region& region : procedure.regions)
-      files.push_back({run_mesh_path(options, deck.definition, region), "the mesh"});
+    for (const Region& region : procedure.regions) add_mesh(region);
   }
   return files;
 }

@@ -123,6 +123,8 @@ CommandLine read_command_line(int argc, const char* const* argv) {
   const auto* sweep = add_sweep(app, options.sweep);
   const auto* manual = add_manual(app, options.manual);
   const auto* mesh = add_mesh(app, options.convert);
+  const auto* split = add_split(app, options.split);
+  const auto* join = add_join(app, options.join);
   const auto* report = add_report(app, options.report_of_results);
   try {
     app.parse(argc, argv);
@@ -131,6 +133,8 @@ CommandLine read_command_line(int argc, const char* const* argv) {
     options.sweep.is_asked = sweep->parsed();
     options.manual.is_asked = manual->parsed();
     options.convert.is_asked = mesh->parsed();
+    options.split.is_asked = split->parsed();
+    options.join.is_asked = join->parsed();
     if (manual->parsed()) options.manual.command_line = describe(app);
     options.report_of_results.is_asked = report->parsed();
     if (app.get_subcommands().empty() && options.deck.empty()) throw CLI::RequiredError("DECK");

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "app/cli/decompose_options.hpp"
 #include "app/cli/diff_options.hpp"
 #include "app/cli/manual_options.hpp"
 #include "app/cli/mesh_options.hpp"
@@ -40,6 +41,7 @@ struct Options {
   bool is_strict = false;                ///< a warning counts as an error
   bool is_quiet = false;                 ///< only problems are printed
   int n_threads = 0;                     ///< 0: as many as OpenMP chooses
+  std::size_t n_ranks = 1;               ///< that mpirun has started
   std::optional<std::string> log;        ///< in place of <deck base>.log
   std::vector<std::string> definitions;  ///< "name=value" for Aprepro
   bool explains = false;
@@ -48,6 +50,8 @@ struct Options {
   SweepOptions sweep;
   ManualOptions manual;
   MeshOptions convert;
+  SplitOptions split;
+  JoinOptions join;
   ReportOptions report_of_results;  ///< of `contactsim report`
 };
 

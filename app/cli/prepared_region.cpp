@@ -14,19 +14,27 @@
 #include "contact/mesh/smooth_surfaces.hpp"
 #include "contact/output/surface_summary.hpp"
 #include "core/base/memory_error.hpp"
+#include "core/base/pluralize.hpp"
 #include "core/definition/simulation.hpp"
 #include "core/elements/cohesive_section.hpp"
+#include "io/pieces/exodus_file.hpp"
 
 namespace contactsim {
 
 namespace {
 
 std::shared_ptr<Mesh> read_and_log_mesh(const DeckWay& way, const Region& region) {
-  const std::string path = run_mesh_path(way.options, way.definition, region);
-  if (way.options.summary) way.summary.mesh = {path, digest_of_file(path), std::nullopt, std::nullopt};
+  const std::string path =
+      find_exodus_path(run_mesh_path(way.options, way.definition, region), way.options.n_ranks);
+  if (way.options.summary)
+    way.summary.mesh = {path, digest_of_files(list_mesh_files(path)), std::nullopt, std::nullopt};
   auto mesh = std::make_shared<Mesh>(with_cohesive_blocks(
       way.definition, region, read_run_mesh(way.options, way.definition, region, way.warnings)));
-  way.log.write(fmt::format("Mesh {}\n{}", mesh->path(), format_mesh(*mesh)));
+  const auto pieces = find_pieces(mesh->path());
+  way.log.write(
+      fmt::format("Mesh {}\n{}{}", mesh->path(),
+                  pieces ? fmt::format("  joined from {}\n", pluralize(pieces->count, "piece")) : "",
+                  format_mesh(*mesh)));
   way.draft.has_mesh = true;
   if (way.summary.mesh)
     way.summary.mesh = {path, way.summary.mesh->digest, mesh->n_nodes(), mesh->n_elements()};

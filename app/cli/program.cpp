@@ -14,6 +14,7 @@
 #include "app/cli/options.hpp"
 #include "app/cli/report_file.hpp"
 #include "app/cli/run_deck.hpp"
+#include "app/cli/run_decompose.hpp"
 #include "app/cli/run_diff.hpp"
 #include "app/cli/run_manual.hpp"
 #include "app/cli/run_report.hpp"
@@ -165,7 +166,8 @@ ExitCode start(const Options& options) {
     throw FileError("mpirun", fmt::format("starts {} ranks, and a run takes {}", several->count(),
                                           NodeShares::max_ranks));
   if (!several) return run_on_rank(options, one_rank(), errors);
-  const Options own = several->is_root() ? options : without_files(options);
+  Options own = several->is_root() ? options : without_files(options);
+  own.n_ranks = static_cast<std::size_t>(several->count());
   const ExitCode code = guard_exit([&] { return run_on_rank(own, *several, errors); },
                                    [&](const std::string& line) {
                                      if (several->is_root()) std::fprintf(stderr, "%s\n", line.c_str());
@@ -181,6 +183,8 @@ ExitCode run_command(const Options& options) {
   if (options.report_of_results.is_asked) return static_cast<ExitCode>(run_report(options.report_of_results));
   if (options.sweep.is_asked) return static_cast<ExitCode>(run_sweep(options.sweep));
   if (options.convert.is_asked) return convert_mesh(options.convert);
+  if (options.split.is_asked) return run_split(options.split);
+  if (options.join.is_asked) return run_join(options.join);
   if (options.manual.is_asked) return run_manual(options.manual);
   const Explanation explanation = explain_all(options.explain_words);
   std::fputs(explanation.text.c_str(), explanation.is_found ? stdout : stderr);
@@ -189,7 +193,8 @@ ExitCode run_command(const Options& options) {
 
 bool is_command(const Options& options) {
   return options.diff.is_asked || options.report_of_results.is_asked || options.sweep.is_asked ||
-         options.convert.is_asked || options.manual.is_asked || options.explains;
+         options.convert.is_asked || options.split.is_asked || options.join.is_asked ||
+         options.manual.is_asked || options.explains;
 }
 
 /// Where mpirun has started several processes for it, the first one works.

@@ -17,6 +17,7 @@
 #include "core/base/errors.hpp"
 #include "core/elements/cohesive_section.hpp"
 #include "io/exodus/run_records.hpp"
+#include "io/pieces/piece_files.hpp"
 #include "parser/deck.hpp"
 
 namespace contactsim {
@@ -33,9 +34,15 @@ std::string stored_deck(const std::string& results) {
   return text;
 }
 
+/// The name of results with another extension; of pieces it is that of the whole.
+fs::path name_beside(const std::string& results, const char* extension) {
+  const auto pieces = parse_piece_path(results);
+  return fs::path(pieces ? pieces->base : results).replace_extension(extension);
+}
+
 /// The file of a name beside another, if it is there and of that kind.
 std::optional<ComparedFile> find_beside(const std::string& results, const char* extension, InputKind kind) {
-  const fs::path path = fs::path(results).replace_extension(extension);
+  const fs::path path = name_beside(results, extension);
   std::error_code ignored;
   if (!fs::is_regular_file(path, ignored)) return std::nullopt;
   try {
@@ -134,8 +141,7 @@ int run_report(const ReportOptions& options) {
   const PageLibraries libraries = read_page_libraries();
   std::vector<ReportRun> runs;
   for (const std::string& results : options.results) runs.push_back(read_report_run(results, options));
-  const std::string path =
-      options.output.value_or(fs::path(options.results.front()).replace_extension(".html").string());
+  const std::string path = options.output.value_or(name_beside(options.results.front(), ".html").string());
   write_report(path, runs, libraries);
   std::printf("%s, %ju bytes\n", path.c_str(), static_cast<std::uintmax_t>(fs::file_size(path)));
   return static_cast<int>(ExitCode::done);

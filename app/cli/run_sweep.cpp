@@ -71,7 +71,7 @@ class RequestMaker {
 
   const std::string& mesh_digest(const std::string& path) {
     const auto [found, is_new] = mesh_digests_.try_emplace(path);
-    if (is_new) found->second = digest_of_file(path);
+    if (is_new) found->second = digest_of_files(list_mesh_files(path));
     return found->second;
   }
 

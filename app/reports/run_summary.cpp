@@ -31,15 +31,18 @@ SummaryPair name_pair(const ContactModel& model, PairIndex i) {
 
 std::string format_digest(std::uint64_t digest) { return fmt::format("{:016x}", digest); }
 
-std::string digest_of_file(const std::string& path) {
-  std::ifstream file(path, std::ios::binary);
+std::string digest_of_files(std::span<const std::string> paths) {
   std::vector<char> bytes(std::size_t{1} << 20);
   Digest digest;
-  while (file) {
-    file.read(bytes.data(), static_cast<std::streamsize>(bytes.size()));
-    digest.add_values(std::span<const char>(bytes.data(), static_cast<std::size_t>(file.gcount())));
+  for (const std::string& path : paths) {
+    std::ifstream file(path, std::ios::binary);
+    while (file) {
+      file.read(bytes.data(), static_cast<std::streamsize>(bytes.size()));
+      digest.add_values(std::span<const char>(bytes.data(), static_cast<std::size_t>(file.gcount())));
+    }
+    if (!file.eof()) return "";
   }
-  return file.eof() ? format_digest(digest.value()) : "";
+  return format_digest(digest.value());
 }
 
 void note_pairs(const ContactModel& model, RunSummary& summary) {

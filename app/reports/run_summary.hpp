@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
@@ -65,8 +66,9 @@ struct RunSummary {
   std::optional<ExitCode> exit_code;     ///< absent while the run lasts
 };
 
-/// The fingerprint of a file's bytes as 16 hexadecimal digits; "" when it cannot be read.
-std::string digest_of_file(const std::string& path);
+/// The fingerprint of the bytes of files, one behind the other, as 16 hexadecimal digits; "" when one cannot
+/// be read.
+std::string digest_of_files(std::span<const std::string> paths);
 /// A fingerprint as 16 hexadecimal digits.
 std::string format_digest(std::uint64_t digest);
 

@@ -38,7 +38,7 @@ std::optional<EntityKind> find_member_kind(std::int64_t type) {
   }
 }
 
-StoredAssembly read_stored(const NetcdfFile& file, const std::string& variable_name, std::size_t number) {
+StoredAssembly read_stored(const ExodusFile& file, const std::string& variable_name, std::size_t number) {
   const auto variable = file.find_variable(variable_name);
   if (!variable) file.fail("variable " + variable_name + " cannot be found");
   const auto id = file.find_integer(*variable, "_id");
@@ -91,7 +91,7 @@ std::vector<bool> find_circular(const std::vector<Assembly>& assemblies) {
 }
 
 // Throws FileError that names one circle.
-void check_nesting(const NetcdfFile& file, const std::vector<Assembly>& assemblies) {
+void check_nesting(const ExodusFile& file, const std::vector<Assembly>& assemblies) {
   const std::vector<bool> is_circular = find_circular(assemblies);
   const auto first = std::find(is_circular.begin(), is_circular.end(), true);
   if (first == is_circular.end()) return;
@@ -113,7 +113,7 @@ void check_nesting(const NetcdfFile& file, const std::vector<Assembly>& assembli
 
 }  // namespace
 
-std::vector<Assembly> read_assemblies(const NetcdfFile& file, const MeshParts& parts, Diagnostics& warnings) {
+std::vector<Assembly> read_assemblies(const ExodusFile& file, const MeshParts& parts, Diagnostics& warnings) {
   std::vector<StoredAssembly> all_stored;
   std::vector<EntityRow> rows;
   for (const std::string& variable_name : file.variable_names(assembly_prefix)) {

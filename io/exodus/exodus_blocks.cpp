@@ -5,7 +5,7 @@
 
 #include "io/exodus/exodus_attributes.hpp"
 #include "io/exodus/exodus_entities.hpp"
-#include "io/netcdf/index_arrays.hpp"
+#include "io/exodus/index_arrays.hpp"
 
 namespace contactsim {
 
@@ -13,7 +13,7 @@ namespace {
 
 class BlockReader {
  public:
-  BlockReader(const NetcdfFile& file, const EntityRow& row, std::uint32_t n_nodes)
+  BlockReader(const ExodusFile& file, const EntityRow& row, std::uint32_t n_nodes)
       : file_(file), row_(row), suffix_(fmt::to_string(row.number)), n_nodes_(n_nodes) {}
 
   ElementBlock read();
@@ -27,7 +27,7 @@ class BlockReader {
   void read_nodes(const NetcdfVariable& connectivity, ElementBlock& block) const;
   void read_attributes(ElementBlock& block) const;
 
-  const NetcdfFile& file_;
+  const ExodusFile& file_;
   const EntityRow& row_;
   std::string suffix_;
   std::uint32_t n_nodes_;
@@ -109,7 +109,7 @@ void BlockReader::read_attributes(ElementBlock& block) const {
 
 }  // namespace
 
-std::vector<ElementBlock> read_blocks(const NetcdfFile& file, std::uint32_t n_nodes, Diagnostics& warnings) {
+std::vector<ElementBlock> read_blocks(const ExodusFile& file, std::uint32_t n_nodes, Diagnostics& warnings) {
   const std::size_t n_elements = file.dimension("num_elem");
   if (n_elements > max_elements) {
     file.fail(fmt::format("has {} elements; at most {} are possible", n_elements, max_elements));

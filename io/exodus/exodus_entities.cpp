@@ -27,7 +27,7 @@ constexpr std::array<IdArray, 3> id_arrays{{
     {"num_node_sets", "ns_prop1", "ns_status", "ns_names"},
 }};
 
-std::vector<std::int64_t> read_list(const NetcdfFile& file, const NetcdfVariable& variable,
+std::vector<std::int64_t> read_list(const ExodusFile& file, const NetcdfVariable& variable,
                                     std::size_t count) {
   if (variable.shape != std::vector{count}) {
     file.fail(fmt::format("variable {} should have {} values", variable.name, count));
@@ -37,7 +37,7 @@ std::vector<std::int64_t> read_list(const NetcdfFile& file, const NetcdfVariable
   return values;
 }
 
-std::vector<std::string> read_names(const NetcdfFile& file, const char* variable_name, std::size_t count) {
+std::vector<std::string> read_names(const ExodusFile& file, const char* variable_name, std::size_t count) {
   const auto variable = file.find_variable(variable_name);
   if (!variable) return std::vector<std::string>(count);
   std::vector<std::string> names = file.read_texts(*variable);
@@ -52,11 +52,11 @@ std::string describe(EntityKind kind, std::int64_t id, std::string_view name) {
   return name.empty() || find_default_id(kind, name) ? plain : fmt::format("{} ({})", plain, name);
 }
 
-void warn(Diagnostics& warnings, const NetcdfFile& file, std::string_view id, const std::string& text) {
+void warn(Diagnostics& warnings, const ExodusFile& file, std::string_view id, const std::string& text) {
   warnings.add_warning(id, {}, file.path() + ": " + text);
 }
 
-std::vector<EntityRow> read_entity_rows(const NetcdfFile& file, EntityKind kind, Diagnostics& warnings) {
+std::vector<EntityRow> read_entity_rows(const ExodusFile& file, EntityKind kind, Diagnostics& warnings) {
   assert(static_cast<std::size_t>(kind) < id_arrays.size());
   const IdArray& array = id_arrays[static_cast<std::size_t>(kind)];
   const std::size_t count = file.dimension(array.count);
@@ -84,7 +84,7 @@ std::vector<EntityRow> read_entity_rows(const NetcdfFile& file, EntityKind kind,
   return rows;
 }
 
-void check_identities(const NetcdfFile& file, EntityKind kind, const std::vector<EntityRow>& rows,
+void check_identities(const ExodusFile& file, EntityKind kind, const std::vector<EntityRow>& rows,
                       Diagnostics& warnings) {
   std::map<std::int64_t, std::size_t> number_of_id;
   std::map<std::string, std::int64_t> id_of_name;

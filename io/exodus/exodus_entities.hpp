@@ -8,7 +8,7 @@
 
 #include "core/base/diagnostics.hpp"
 #include "core/mesh/entity_names.hpp"
-#include "io/netcdf/netcdf_file.hpp"
+#include "io/pieces/exodus_file.hpp"
 
 namespace contactsim {
 
@@ -24,16 +24,16 @@ struct EntityRow {
 std::string describe(EntityKind kind, std::int64_t id, std::string_view name);
 
 /// Adds a warning that names the file and no deck line.
-void warn(Diagnostics& warnings, const NetcdfFile& file, std::string_view id, const std::string& text);
+void warn(Diagnostics& warnings, const ExodusFile& file, std::string_view id, const std::string& text);
 
 /// The blocks, side sets or node sets that the file declares, in its order. Warns of entries that were
 /// declared and never written, which are left out, and of names that belong to another id. Throws FileError
 /// for missing ids and for what check_identities refuses.
-std::vector<EntityRow> read_entity_rows(const NetcdfFile& file, EntityKind kind, Diagnostics& warnings);
+std::vector<EntityRow> read_entity_rows(const ExodusFile& file, EntityKind kind, Diagnostics& warnings);
 
 /// Throws FileError for negative or repeated ids, and for two entities that go by one name. Warns of names
 /// that belong to another id.
-void check_identities(const NetcdfFile& file, EntityKind kind, const std::vector<EntityRow>& rows,
+void check_identities(const ExodusFile& file, EntityKind kind, const std::vector<EntityRow>& rows,
                       Diagnostics& warnings);
 
 }  // namespace contactsim

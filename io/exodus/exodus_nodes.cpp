@@ -20,7 +20,7 @@ namespace {
 constexpr std::size_t max_nodes = std::numeric_limits<std::int32_t>::max();
 constexpr std::array<char, 3> axes{'x', 'y', 'z'};
 
-NetcdfVariable require_variable(const NetcdfFile& file, const std::string& name,
+NetcdfVariable require_variable(const ExodusFile& file, const std::string& name,
                                 const std::vector<std::size_t>& shape) {
   auto variable = file.find_variable(name);
   if (!variable) file.fail(fmt::format("has nodes but no coordinates (variable {})", name));
@@ -30,7 +30,7 @@ NetcdfVariable require_variable(const NetcdfFile& file, const std::string& name,
 }
 
 // Puts values of one axis at their nodes, the first of which is given.
-void copy_axis(const NetcdfFile& file, std::span<const double> values, std::size_t axis, std::size_t first,
+void copy_axis(const ExodusFile& file, std::span<const double> values, std::size_t axis, std::size_t first,
                Eigen::Matrix3Xd& coordinates) {
   double* target = coordinates.data() + 3 * first + axis;
   unsigned is_bad = 0;
@@ -47,7 +47,7 @@ void copy_axis(const NetcdfFile& file, std::span<const double> values, std::size
 }
 
 // coordx, coordy, coordz: parts of all three in turn, so that each node's cache line is filled at once.
-void read_split(const NetcdfFile& file, std::size_t n, Eigen::Matrix3Xd& coordinates) {
+void read_split(const ExodusFile& file, std::size_t n, Eigen::Matrix3Xd& coordinates) {
   std::array<NetcdfVariable, 3> variables;
   for (std::size_t axis = 0; axis < 3; ++axis) {
     variables[axis] = require_variable(file, std::string("coord") + axes[axis], {n});
@@ -67,7 +67,7 @@ void read_split(const NetcdfFile& file, std::size_t n, Eigen::Matrix3Xd& coordin
 }
 
 // coord: all of x, then all of y, then all of z.
-void read_combined(const NetcdfFile& file, std::size_t n, Eigen::Matrix3Xd& coordinates) {
+void read_combined(const ExodusFile& file, std::size_t n, Eigen::Matrix3Xd& coordinates) {
   const NetcdfVariable variable = require_variable(file, "coord", {3, n});
   coordinates.resize(3, static_cast<Eigen::Index>(n));
   const auto buffer = std::make_unique_for_overwrite<double[]>(n);
@@ -77,7 +77,7 @@ void read_combined(const NetcdfFile& file, std::size_t n, Eigen::Matrix3Xd& coor
   }
 }
 
-std::vector<std::int64_t> read_wide_ids(const NetcdfFile& file, const NetcdfVariable& variable) {
+std::vector<std::int64_t> read_wide_ids(const ExodusFile& file, const NetcdfVariable& variable) {
   const std::size_t n = variable.size();
   if (variable.is_64_bit_integer) {
     std::vector<std::int64_t> ids(n);
@@ -95,7 +95,7 @@ std::vector<std::int64_t> read_wide_ids(const NetcdfFile& file, const NetcdfVari
 
 }  // namespace
 
-Eigen::Matrix3Xd read_coordinates(const NetcdfFile& file) {
+Eigen::Matrix3Xd read_coordinates(const ExodusFile& file) {
   const std::size_t n = file.dimension("num_nodes");
   if (n > max_nodes) file.fail(fmt::format("has {} nodes; at most {} are possible", n, max_nodes));
   Eigen::Matrix3Xd coordinates(3, 0);
@@ -108,7 +108,7 @@ Eigen::Matrix3Xd read_coordinates(const NetcdfFile& file) {
   return coordinates;
 }
 
-std::vector<std::int64_t> read_ids(const NetcdfFile& file, const std::string& variable_name, std::size_t n,
+std::vector<std::int64_t> read_ids(const ExodusFile& file, const std::string& variable_name, std::size_t n,
                                    const std::string& what, Diagnostics& warnings) {
   const auto variable = file.find_variable(variable_name);
   if (!variable || n == 0) return {};

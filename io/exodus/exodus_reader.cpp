@@ -14,13 +14,13 @@
 #include "io/exodus/exodus_entities.hpp"
 #include "io/exodus/exodus_nodes.hpp"
 #include "io/exodus/exodus_sets.hpp"
-#include "io/netcdf/netcdf_file.hpp"
+#include "io/pieces/exodus_file.hpp"
 
 namespace contactsim {
 
 namespace {
 
-void check_is_exodus(const NetcdfFile& file) {
+void check_is_exodus(const ExodusFile& file) {
   if (const int n_groups = file.n_groups(); n_groups > 0) {
     file.fail(fmt::format(
         "holds {} netCDF groups (several meshes in one file); write the wanted one to a file of its own",
@@ -37,10 +37,13 @@ void check_is_exodus(const NetcdfFile& file) {
 }
 
 // One rank's part of a mesh looks like a whole mesh, with cut faces as if they were exterior.
-void check_is_whole(const NetcdfFile& file, Diagnostics& warnings) {
+void check_is_whole(const ExodusFile& file, Diagnostics& warnings) {
+  if (file.n_pieces()) return;
   const double n_processors = file.find_global_number("processor_info").value_or(1.0);
   if (n_processors > 1.0 || file.dimension("num_processors") > 1) {
-    file.fail("is one piece of a decomposed mesh; join the pieces first (epu)");
+    file.fail(
+        "is one piece of a decomposed mesh, but not named as one is, like mesh.g.4.0; the pieces cannot "
+        "be found");
   }
   static const std::regex piece_name(R"(\.[0-9]+\.[0-9]+$)");
   if (std::regex_search(file.path(), piece_name)) {
@@ -49,7 +52,7 @@ void check_is_whole(const NetcdfFile& file, Diagnostics& warnings) {
   }
 }
 
-void warn_of_unread(const NetcdfFile& file, Diagnostics& warnings) {
+void warn_of_unread(const ExodusFile& file, Diagnostics& warnings) {
   constexpr std::array<std::pair<const char*, const char*>, 5> unread{{{"num_elem_sets", "element sets"},
                                                                        {"num_ed_blk", "edge blocks"},
                                                                        {"num_fa_blk", "face blocks"},
@@ -62,7 +65,7 @@ void warn_of_unread(const NetcdfFile& file, Diagnostics& warnings) {
   }
 }
 
-Mesh read_open_file(const NetcdfFile& file, Diagnostics& warnings) {
+Mesh read_open_file(const ExodusFile& file, Diagnostics& warnings) {
   check_is_exodus(file);
   check_is_whole(file, warnings);
   warn_of_unread(file, warnings);
@@ -86,7 +89,7 @@ Mesh read_open_file(const NetcdfFile& file, Diagnostics& warnings) {
 
 Mesh read_mesh(const std::string& path, Diagnostics& warnings) {
   return tell_lack_of_memory("reading the mesh " + path,
-                             [&] { return read_open_file(NetcdfFile(path), warnings); });
+                             [&] { return read_open_file(ExodusFile(path), warnings); });
 }
 
 }  // namespace contactsim

@@ -7,7 +7,8 @@
 #include <optional>
 
 #include "io/exodus/exodus_entities.hpp"
-#include "io/netcdf/index_arrays.hpp"
+#include "io/exodus/index_arrays.hpp"
+#include "io/pieces/side_factors.hpp"
 
 namespace contactsim {
 
@@ -16,13 +17,13 @@ namespace {
 // Side numbers of shapes that are not known; ElementSide holds no larger ones.
 constexpr int n_sides_unknown = 8;
 
-[[noreturn]] void fail(const NetcdfFile& file, EntityKind kind, const EntityRow& row,
+[[noreturn]] void fail(const ExodusFile& file, EntityKind kind, const EntityRow& row,
                        const std::string& what) {
   file.fail(fmt::format("{}: {}", describe(kind, row.id, row.name), what));
 }
 
 // The numbers 1..limit of a set's variable as positions; empty when the set has none.
-std::vector<std::uint32_t> read_numbers(const NetcdfFile& file, EntityKind kind, const EntityRow& row,
+std::vector<std::uint32_t> read_numbers(const ExodusFile& file, EntityKind kind, const EntityRow& row,
                                         const std::string& variable_name, std::uint32_t limit) {
   if (row.is_null) return {};
   const auto variable = file.find_variable(variable_name);
@@ -36,7 +37,7 @@ std::vector<std::uint32_t> read_numbers(const NetcdfFile& file, EntityKind kind,
                    found.bad->value, limit));
 }
 
-std::vector<double> read_factors(const NetcdfFile& file, const EntityRow& row,
+std::vector<double> read_factors(const ExodusFile& file, const EntityRow& row,
                                  const std::string& variable_name) {
   if (row.is_null) return {};
   const auto variable = file.find_variable(variable_name);
@@ -46,7 +47,7 @@ std::vector<double> read_factors(const NetcdfFile& file, const EntityRow& row,
   return factors;
 }
 
-void warn_of_factors(Diagnostics& warnings, const NetcdfFile& file, EntityKind kind, const EntityRow& row,
+void warn_of_factors(Diagnostics& warnings, const ExodusFile& file, EntityKind kind, const EntityRow& row,
                      std::size_t found, std::size_t expected) {
   warn(warnings, file, "mesh-distribution-factors",
        fmt::format("{}: {} distribution factors where {} belong; they are left out",
@@ -81,18 +82,7 @@ int count_sides(Shape shape) {
   return shape == Shape::unknown ? n_sides_unknown : static_cast<int>(topology(shape).sides.size());
 }
 
-// All nodes of a side, mid nodes included; absent for unknown shapes.
-std::optional<std::size_t> count_side_nodes(Shape shape, int side) {
-  if (shape == Shape::unknown) return std::nullopt;
-  const Topology& facts = topology(shape);
-  const Side& corners = facts.sides[static_cast<std::size_t>(side) - 1];
-  if (facts.n_nodes == facts.n_corners || corners.kind == SideKind::node) return corners.n_corners;
-  if (corners.kind == SideKind::edge) return 3;
-  const bool has_centre = shape == Shape::hex27 || shape == Shape::shell9;
-  return std::size_t{2} * corners.n_corners + (has_centre ? 1 : 0);
-}
-
-std::vector<ElementSide> join_sides(const NetcdfFile& file, const EntityRow& row, SideChecker& checker,
+std::vector<ElementSide> join_sides(const ExodusFile& file, const EntityRow& row, SideChecker& checker,
                                     std::span<const std::uint32_t> elements,
                                     std::span<const std::uint32_t> sides) {
   if (elements.size() != sides.size()) {
@@ -127,7 +117,7 @@ std::optional<std::size_t> count_factors(const SideSet& set, SideChecker& checke
 
 }  // namespace
 
-std::vector<NodeSet> read_node_sets(const NetcdfFile& file, std::uint32_t n_nodes, Diagnostics& warnings) {
+std::vector<NodeSet> read_node_sets(const ExodusFile& file, std::uint32_t n_nodes, Diagnostics& warnings) {
   std::vector<NodeSet> sets;
   for (const EntityRow& row : read_entity_rows(file, EntityKind::node_set, warnings)) {
     NodeSet& set = sets.emplace_back();
@@ -146,7 +136,7 @@ std::vector<NodeSet> read_node_sets(const NetcdfFile& file, std::uint32_t n_node
   return sets;
 }
 
-std::vector<SideSet> read_side_sets(const NetcdfFile& file, std::span<const ElementBlock> blocks,
+std::vector<SideSet> read_side_sets(const ExodusFile& file, std::span<const ElementBlock> blocks,
                                     Diagnostics& warnings) {
   constexpr std::uint32_t any_side = 0x7fffffff;
   SideChecker checker(blocks);

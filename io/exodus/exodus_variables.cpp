@@ -10,7 +10,7 @@
 
 #include "io/exodus/exodus_entities.hpp"
 #include "io/exodus/file_order.hpp"
-#include "io/netcdf/netcdf_file.hpp"
+#include "io/pieces/exodus_file.hpp"
 
 namespace contactsim {
 
@@ -45,7 +45,7 @@ class ResultsFile {
   void read_times();
   void check_shape(const NetcdfVariable& variable, const std::vector<std::size_t>& shape) const;
 
-  NetcdfFile file_;
+  ExodusFile file_;
   std::size_t n_nodes_, n_elements_;
   FileOrder node_order_;
   std::vector<StoredBlock> blocks_;

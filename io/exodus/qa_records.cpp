@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "io/exodus/qa_records.hpp"
 
-#include "io/netcdf/netcdf_file.hpp"
+#include "io/pieces/exodus_file.hpp"
 
 namespace contactsim {
 
 std::vector<QaRecord> read_qa_records(const std::string& path) {
-  const NetcdfFile file(path);
+  const ExodusFile file(path);
   const auto variable = file.find_variable("qa_records");
   constexpr std::size_t n_texts = 4;
   if (!variable || !variable->is_text || variable->shape.size() != 3 || variable->shape[1] != n_texts)

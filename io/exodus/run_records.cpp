@@ -2,12 +2,12 @@
 #include "io/exodus/run_records.hpp"
 
 #include "io/exodus/exodus_conventions.hpp"
-#include "io/netcdf/netcdf_file.hpp"
+#include "io/pieces/exodus_file.hpp"
 
 namespace contactsim {
 
 std::vector<std::string> read_info_lines(const std::string& path) {
-  const NetcdfFile file(path);
+  const ExodusFile file(path);
   const auto variable = file.find_variable("info_records");
   if (!variable || !variable->is_text || variable->shape.size() != 2) return {};
   std::vector<std::string> lines;
@@ -25,7 +25,7 @@ std::vector<std::string> read_info_lines(const std::string& path) {
 }
 
 GlobalHistory read_global_history(const std::string& path) {
-  const NetcdfFile file(path);
+  const ExodusFile file(path);
   const auto names = file.find_variable("name_glo_var"), values = file.find_variable("vals_glo_var"),
              times = file.find_variable("time_whole");
   if (!names || !values || !times) return {};

@@ -34,8 +34,9 @@ struct Part {
 };
 
 Part make_part(const NetcdfVariable& variable, Rows rows) {
-  assert(!variable.shape.empty() && rows.first + rows.count <= variable.shape[0]);
   Part part{std::vector<std::size_t>(variable.shape.size(), 0), variable.shape};
+  if (variable.shape.empty()) return part;
+  assert(rows.first + rows.count <= variable.shape[0]);
   part.start[0] = rows.first;
   part.count[0] = rows.count;
   return part;
@@ -223,13 +224,29 @@ void NetcdfFile::read_double(const NetcdfVariable& variable, Rows rows, std::spa
         "variable " + variable.name);
 }
 
-void NetcdfFile::read_int64(const NetcdfVariable& variable, std::span<std::int64_t> values) const {
-  assert(values.size() == variable.size());
+void NetcdfFile::read_int64(const NetcdfVariable& variable, Rows rows, std::span<std::int64_t> values) const {
   if (values.empty()) return;
   const LibraryGuard guard(path_);
+  const Part part = make_part(variable, rows);
+  assert(values.size() == part.size());
   static_assert(sizeof(long long) == sizeof(std::int64_t));
-  check(nc_get_var_longlong(id_, variable.id, reinterpret_cast<long long*>(values.data())),
+  check(nc_get_vara_longlong(id_, variable.id, part.start.data(), part.count.data(),
+                             reinterpret_cast<long long*>(values.data())),
         "variable " + variable.name);
+}
+
+void NetcdfFile::read_text(const NetcdfVariable& variable, Rows rows, std::span<char> values) const {
+  if (values.empty()) return;
+  const LibraryGuard guard(path_);
+  const Part part = make_part(variable, rows);
+  assert(values.size() == part.size());
+  check(nc_get_vara_text(id_, variable.id, part.start.data(), part.count.data(), values.data()),
+        "variable " + variable.name);
+}
+
+void NetcdfFile::read_int64(const NetcdfVariable& variable, std::span<std::int64_t> values) const {
+  assert(values.size() == variable.size());
+  read_int64(variable, {0, variable.shape.empty() ? 1 : variable.shape[0]}, values);
 }
 
 void NetcdfFile::read_double(const NetcdfVariable& variable, std::span<double> values) const {
@@ -245,18 +262,21 @@ std::vector<std::string> NetcdfFile::read_stored_texts(const NetcdfVariable& var
   const LibraryGuard guard(path_);
   std::string all(variable.size(), '\0');
   if (!all.empty()) check(nc_get_var_text(id_, variable.id, all.data()), "variable " + variable.name);
-  const std::size_t width = variable.shape.back(), n_texts = width > 0 ? variable.size() / width : 0;
-  std::vector<std::string> texts;
-  for (std::size_t i = 0; i < n_texts; ++i) {
-    const std::string_view stored = std::string_view(all).substr(i * width, width);
-    texts.emplace_back(stored.substr(0, stored.find('\0')));
-  }
-  return texts;
+  return split_texts(all, variable.shape.back());
 }
 
 std::vector<std::string> NetcdfFile::read_texts(const NetcdfVariable& variable) const {
   std::vector<std::string> texts = read_stored_texts(variable);
   for (std::string& text : texts) text = clean_text(text);
+  return texts;
+}
+
+std::vector<std::string> split_texts(std::string_view rows, std::size_t width) {
+  std::vector<std::string> texts;
+  for (std::size_t begin = 0; width > 0 && begin + width <= rows.size(); begin += width) {
+    const std::string_view stored = rows.substr(begin, width);
+    texts.emplace_back(stored.substr(0, stored.find('\0')));
+  }
   return texts;
 }
 

@@ -8,6 +8,8 @@
 #include <string_view>
 #include <vector>
 
+#include "io/netcdf/netcdf_layout.hpp"
+
 namespace contactsim {
 
 /// A variable of an open netCDF file. Its size has been compared with the size of the file.
@@ -62,6 +64,8 @@ class NetcdfFile {
   [[nodiscard]] bool read_int32(const NetcdfVariable& variable, Rows rows,
                                 std::span<std::int32_t> values) const;
   void read_double(const NetcdfVariable& variable, Rows rows, std::span<double> values) const;
+  void read_int64(const NetcdfVariable& variable, Rows rows, std::span<std::int64_t> values) const;
+  void read_text(const NetcdfVariable& variable, Rows rows, std::span<char> values) const;
   /// Read a whole variable into a span of its size.
   void read_int64(const NetcdfVariable& variable, std::span<std::int64_t> values) const;
   void read_double(const NetcdfVariable& variable, std::span<double> values) const;
@@ -79,6 +83,11 @@ class NetcdfFile {
   std::string path_;
   std::uint64_t file_size_ = 0;
   int id_ = -1;
+
+  friend NetcdfLayout read_layout(const NetcdfFile& file);
 };
+
+/// Texts that stand in rows of a width, each up to its NUL, with the blanks around it.
+std::vector<std::string> split_texts(std::string_view rows, std::size_t width);
 
 }  // namespace contactsim

@@ -5,6 +5,11 @@
 #include <netcdf.h>
 
 #include <array>
+#include <cassert>
+#include <functional>
+#include <map>
+#include <numeric>
+#include <type_traits>
 #include <utility>
 
 #include "core/base/errors.hpp"
@@ -82,6 +87,37 @@ void NetcdfOutput::set_integer(int variable, const std::string& attribute, Netcd
         "written: " + attribute);
 }
 
+void NetcdfOutput::set_attribute(int variable, const NetcdfAttribute& attribute) {
+  const char* name = attribute.name.c_str();
+  const nc_type type = to_nc_type(attribute.type);
+  const auto put = [&](const auto& values) {
+    if constexpr (std::is_same_v<decltype(values.data()), const char*>)
+      return nc_put_att_text(id_, variable, name, values.size(), values.data());
+    else if constexpr (std::is_same_v<decltype(values.data()), const double*>)
+      return nc_put_att_double(id_, variable, name, type, values.size(), values.data());
+    else
+      return nc_put_att_longlong(id_, variable, name, type, values.size(),
+                                 reinterpret_cast<const long long*>(values.data()));
+  };
+  check(std::visit(put, attribute.values), "written: " + attribute.name);
+}
+
+void NetcdfOutput::define(const NetcdfLayout& layout) {
+  std::map<std::string, int> dimensions;
+  for (const NetcdfDimension& dimension : layout.dimensions) {
+    assert(dimension.is_unlimited || dimension.length > 0);
+    dimensions[dimension.name] =
+        define_dimension(dimension.name, dimension.is_unlimited ? unlimited : dimension.length);
+  }
+  for (const NetcdfDefinition& variable : layout.variables) {
+    std::vector<int> of_variable;
+    for (const std::string& dimension : variable.dimensions) of_variable.push_back(dimensions.at(dimension));
+    const int id = define_variable(variable.name, variable.type, of_variable);
+    for (const NetcdfAttribute& attribute : variable.attributes) set_attribute(id, attribute);
+  }
+  for (const NetcdfAttribute& attribute : layout.attributes) set_attribute(global, attribute);
+}
+
 void NetcdfOutput::end_definitions() { check(nc_enddef(id_), "written"); }
 
 void NetcdfOutput::write(int variable, std::span<const std::int32_t> values) {
@@ -103,6 +139,31 @@ void NetcdfOutput::write(int variable, std::size_t width, const std::vector<std:
     rows += text;
   }
   check(nc_put_var_text(id_, variable, rows.data()), "written");
+}
+
+void NetcdfOutput::write(int variable, std::optional<std::size_t> record, const NetcdfValues& values) {
+  int rank = 0;
+  check(nc_inq_varndims(id_, variable, &rank), "written");
+  std::vector<int> dimensions(static_cast<std::size_t>(rank));
+  check(nc_inq_vardimid(id_, variable, dimensions.data()), "written");
+  std::vector<std::size_t> start(dimensions.size(), 0), count(dimensions.size());
+  for (std::size_t i = 0; i < dimensions.size(); ++i)
+    check(nc_inq_dimlen(id_, dimensions[i], &count[i]), "written");
+  if (record) {
+    start.at(0) = *record;
+    count.at(0) = 1;
+  }
+  const auto put = [&](const auto& all) {
+    assert(all.size() == std::accumulate(count.begin(), count.end(), std::size_t{1}, std::multiplies<>()));
+    if constexpr (std::is_same_v<decltype(all.data()), const char*>)
+      return nc_put_vara_text(id_, variable, start.data(), count.data(), all.data());
+    else if constexpr (std::is_same_v<decltype(all.data()), const double*>)
+      return nc_put_vara_double(id_, variable, start.data(), count.data(), all.data());
+    else
+      return nc_put_vara_longlong(id_, variable, start.data(), count.data(),
+                                  reinterpret_cast<const long long*>(all.data()));
+  };
+  check(std::visit(put, values), "written");
 }
 
 void NetcdfOutput::commit() {

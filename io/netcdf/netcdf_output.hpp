@@ -2,16 +2,16 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
 
 #include "io/files/output_place.hpp"
 #include "io/netcdf/measure_classic.hpp"
+#include "io/netcdf/netcdf_layout.hpp"
 
 namespace contactsim {
-
-enum class NetcdfType : std::uint8_t { text, int32, int64, float32, float64 };
 
 /// A netCDF file being written: first all definitions, then all data but those of records, which RecordFile
 /// writes. It has a temporary name until it is committed, so that nobody ever reads half of it. Every member
@@ -40,6 +40,10 @@ class NetcdfOutput {
   void set_text(int variable, const std::string& attribute, const std::string& text);
   void set_number(int variable, const std::string& attribute, NetcdfType type, double value);
   void set_integer(int variable, const std::string& attribute, NetcdfType type, std::int64_t value);
+  void set_attribute(int variable, const NetcdfAttribute& attribute);
+  /// Defines all that a layout says; the variables have their positions in it for numbers. Dimensions of no
+  /// length must be unlimited.
+  void define(const NetcdfLayout& layout);
   /// What the file takes, by its definitions.
   FileBytes measure() const { return measure_classic(id_, is_large_); }
   void end_definitions();
@@ -49,6 +53,9 @@ class NetcdfOutput {
   void write(int variable, std::span<const double> values);
   /// Rows of `width` characters, padded with NUL; longer texts are cut.
   void write(int variable, std::size_t width, const std::vector<std::string>& texts);
+
+  /// Writes values of any type to a variable, or to one record of it. Precondition: as many as belong there.
+  void write(int variable, std::optional<std::size_t> record, const NetcdfValues& values);
 
   /// Closes the file and gives it its name.
   void commit();

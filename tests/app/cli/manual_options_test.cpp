@@ -36,7 +36,8 @@ TEST_CASE("the command line is described as its reader knows it", "[app][manual]
   const CommandLineText commands = read_words({"manual", "man"}).options.manual.command_line;
   std::vector<std::string> names;
   for (const CommandText& command : commands) names.push_back(command.name);
-  CHECK(names == std::vector<std::string>{"", "explain", "diff", "sweep", "manual", "mesh", "report"});
+  CHECK(names == std::vector<std::string>{"", "explain", "diff", "sweep", "manual", "mesh", "split", "join",
+                                          "report"});
 
   const CommandText& run = commands[0];
   REQUIRE(run.words.size() == 2);

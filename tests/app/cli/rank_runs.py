@@ -130,6 +130,32 @@ def commands_are_done_once(runs):
     check(refused.stderr.count("starts 3 processes") == 1, refused.stderr)
 
 
+def pieces_are_joined_on_any_number_of_ranks(runs):
+    whole, result = runs.run("whole", 1, end="2e-6")
+    check(result.returncode == 0, result.stderr)
+    for n_ranks, pieces in ((1, (5,)), (3, (5,)), (2, (3, 2))):
+        folder = runs.prepare(f"pieces_{n_ranks}_{len(pieces)}", runs.deck)
+        for n_pieces in pieces:
+            made = subprocess.run([runs.program, "split", "impact.g", str(n_pieces)], cwd=folder, capture_output=True, text=True,
+                                  timeout=60)
+            check(made.returncode == 0, made.stderr)
+        (folder / "impact.g").unlink()
+        result = subprocess.run(runs.command(n_ranks, end="2e-6"), cwd=folder, capture_output=True, text=True, timeout=120)
+        check(result.returncode == 0, result.stderr)
+        taken = n_ranks if len(pieces) > 1 else pieces[0]
+        check(f"joined from {taken} pieces" in (folder / "run.log").read_text(), f"{n_ranks} ranks take other pieces")
+        for path in folder.iterdir():
+            if path.name not in ("run.log", "impact.i") and not path.name.startswith("impact.g"):
+                difference = RankEquality.file_difference(whole / path.name, path)
+                check(not difference, f"{path.name} of {folder.name}: {difference}")
+    folder = runs.prepare("unclear", runs.deck)
+    for n_pieces in (2, 4):
+        subprocess.run([runs.program, "split", "impact.g", str(n_pieces)], cwd=folder, check=True, capture_output=True)
+    (folder / "impact.g").unlink()
+    result = subprocess.run(runs.command(3), cwd=folder, capture_output=True, text=True, timeout=120)
+    check(result.returncode == 3 and result.stderr.count("impact.g.2.0 or impact.g.4.0") == 1, result.stderr)
+
+
 def a_killed_rank_ends_the_run(runs):
     folder = runs.prepare("killed", runs.deck)
     command = [word for word in runs.command(3, end="120e-6") if word != "-q"]
@@ -153,7 +179,7 @@ def main():
     with tempfile.TemporaryDirectory() as folder:
         runs = Runs(sys.argv[1], pathlib.Path(folder))
         for test in (bytes_are_those_of_one_process, restarts_go_on_with_other_ranks, errors_are_said_once,
-                     commands_are_done_once, a_killed_rank_ends_the_run):
+                     commands_are_done_once, pieces_are_joined_on_any_number_of_ranks, a_killed_rank_ends_the_run):
             begun = time.monotonic()
             test(runs)
             print(f"{test.__name__}: {time.monotonic() - begun:.1f} s", flush=True)

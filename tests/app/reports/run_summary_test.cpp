@@ -6,15 +6,32 @@
 
 using namespace contactsim;
 
+TEST_CASE("the digest of several files is that of their bytes behind each other", "[app][summary]") {
+  const test::TemporaryDirectory directory;
+  test::write_bytes(directory.file("a"), "some ");
+  test::write_bytes(directory.file("b"), "text");
+  test::write_bytes(directory.file("c"), "some text");
+  const std::vector<std::string> both{directory.file("a"), directory.file("b")};
+  const std::vector<std::string> turned{directory.file("b"), directory.file("a")};
+  const std::vector<std::string> one{directory.file("c")}, gone{directory.file("a"), directory.file("d")};
+  CHECK(digest_of_files(both) == digest_of_files(one));
+  CHECK(digest_of_files(both) != digest_of_files(turned));
+  CHECK(digest_of_files(gone) == "");
+}
+
 TEST_CASE("files of the same bytes have the same digest", "[app][summary]") {
   const test::TemporaryDirectory directory;
   test::write_bytes(directory.file("a"), "some text");
   test::write_bytes(directory.file("b"), "some text");
   test::write_bytes(directory.file("c"), "some texT");
-  CHECK(digest_of_file(directory.file("a")).size() == 16);
-  CHECK(digest_of_file(directory.file("a")) == digest_of_file(directory.file("b")));
-  CHECK(digest_of_file(directory.file("a")) != digest_of_file(directory.file("c")));
-  CHECK(digest_of_file(directory.file("none")) == "");
+  const auto digest_of = [&](const std::string& name) {
+    const std::string path = directory.file(name);
+    return digest_of_files({&path, 1});
+  };
+  CHECK(digest_of("a").size() == 16);
+  CHECK(digest_of("a") == digest_of("b"));
+  CHECK(digest_of("a") != digest_of("c"));
+  CHECK(digest_of("none") == "");
 }
 
 TEST_CASE("a digest has 16 hexadecimal digits", "[app][summary]") {

@@ -96,11 +96,13 @@ TEST_CASE("netCDF that is not a three-dimensional Exodus mesh is refused", "[io]
         }) == "is a 2-dimensional mesh; contactsim needs three dimensions");
 }
 
-TEST_CASE("pieces of a decomposed mesh and several meshes in one file are refused", "[io][exodus]") {
+TEST_CASE("pieces that are not named as such and several meshes in one file are refused", "[io][exodus]") {
   CHECK(refusal(two_hexes().build(), [](auto& file) { file.set_attribute("", "processor_info", 8.0); }) ==
-        "is one piece of a decomposed mesh; join the pieces first (epu)");
+        "is one piece of a decomposed mesh, but not named as one is, like mesh.g.4.0; the pieces cannot be "
+        "found");
   CHECK(refusal(two_hexes().build(), [](auto& file) { file.add_dimension("num_processors", 8); }) ==
-        "is one piece of a decomposed mesh; join the pieces first (epu)");
+        "is one piece of a decomposed mesh, but not named as one is, like mesh.g.4.0; the pieces cannot be "
+        "found");
   const TemporaryDirectory directory;
   const std::string path = directory.file("groups.e");
   write_exodus(path, two_hexes().build(), {.format = FileFormat::netcdf4});

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "core/base/indices.hpp"
-#include "io/netcdf/netcdf_file.hpp"
+#include "io/pieces/exodus_file.hpp"
 
 namespace contactsim {
 
@@ -28,12 +28,12 @@ struct IndexArray {
 ///   limit      at most 2^31 - 1
 ///   Index      std::uint32_t or NodeIndex
 template <class Index>
-IndexArray read_positions(const NetcdfFile& file, const NetcdfVariable& variable, std::uint32_t limit,
+IndexArray read_positions(const ExodusFile& file, const NetcdfVariable& variable, std::uint32_t limit,
                           std::vector<Index>& positions);
 
-extern template IndexArray read_positions(const NetcdfFile&, const NetcdfVariable&, std::uint32_t,
+extern template IndexArray read_positions(const ExodusFile&, const NetcdfVariable&, std::uint32_t,
                                           std::vector<std::uint32_t>&);
-extern template IndexArray read_positions(const NetcdfFile&, const NetcdfVariable&, std::uint32_t,
+extern template IndexArray read_positions(const ExodusFile&, const NetcdfVariable&, std::uint32_t,
                                           std::vector<NodeIndex>&);
 
 }  // namespace contactsim

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "io/netcdf/index_arrays.hpp"
+#include "io/exodus/index_arrays.hpp"
 
 #include <netcdf.h>
 
@@ -26,7 +26,7 @@ IndexArray round_trip(const std::vector<long long>& numbers, std::size_t columns
   check(nc_enddef(file));
   check(nc_put_var_longlong(file, variable, numbers.data()));
   check(nc_close(file));
-  const NetcdfFile opened(path);
+  const ExodusFile opened(path);
   positions.clear();
   return read_positions(opened, *opened.find_variable("numbers"), limit, positions);
 }

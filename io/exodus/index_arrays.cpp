@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "io/netcdf/index_arrays.hpp"
+#include "io/exodus/index_arrays.hpp"
 
 #include <algorithm>
 #include <array>
@@ -51,7 +51,7 @@ bool any_row_repeats(std::span<const std::uint32_t> rows, std::size_t columns) {
 }
 
 // For the rare file whose numbers pass 32 bits: which one is it?
-BadNumber find_wide(const NetcdfFile& file, const NetcdfVariable& variable, std::uint32_t limit) {
+BadNumber find_wide(const ExodusFile& file, const NetcdfVariable& variable, std::uint32_t limit) {
   std::vector<std::int64_t> numbers(variable.size());
   file.read_int64(variable, numbers);
   const auto found = std::find_if(numbers.begin(), numbers.end(),
@@ -70,7 +70,7 @@ BadNumber find_bad(std::span<const std::uint32_t> positions, std::size_t first, 
 }  // namespace
 
 template <class Index>
-IndexArray read_positions(const NetcdfFile& file, const NetcdfVariable& variable, std::uint32_t limit,
+IndexArray read_positions(const ExodusFile& file, const NetcdfVariable& variable, std::uint32_t limit,
                           std::vector<Index>& positions) {
   static_assert(sizeof(Index) == sizeof(std::uint32_t));
   const std::size_t columns = variable.shape.size() == 2 ? variable.shape[1] : 1;
@@ -94,9 +94,9 @@ IndexArray read_positions(const NetcdfFile& file, const NetcdfVariable& variable
   return result;
 }
 
-template IndexArray read_positions(const NetcdfFile&, const NetcdfVariable&, std::uint32_t,
+template IndexArray read_positions(const ExodusFile&, const NetcdfVariable&, std::uint32_t,
                                    std::vector<std::uint32_t>&);
-template IndexArray read_positions(const NetcdfFile&, const NetcdfVariable&, std::uint32_t,
+template IndexArray read_positions(const ExodusFile&, const NetcdfVariable&, std::uint32_t,
                                    std::vector<NodeIndex>&);
 
 }  // namespace contactsim
