@@ -9,6 +9,7 @@
 #include <dmumps_c.h>
 #include <fmt/format.h>
 
+#include <cstdlib>
 #include <new>
 #include <string>
 #include <vector>
@@ -19,7 +20,11 @@ namespace contactsim {
 
 namespace {
 
-using Call = void (*)(DMUMPS_STRUC_C*);
+/// What is called of the library.
+struct Mumps {
+  void (*call)(DMUMPS_STRUC_C*) = nullptr;  ///< null where it is not installed
+  void (*reset_random)() = nullptr;         ///< of Scotch, which orders equations for it; null where another does
+};
 
 /// OpenBLAS asks for its buffers for ever where there is no room for them: it is made to ask for them where
 /// there is. Throws std::bad_alloc where there is none.
@@ -36,17 +41,19 @@ void allocate_buffers(void* library) {
   solve("L", "L", "N", "N", &n, &n, &one, &one, &n, &solution, &n);
 }
 
-/// What calls MUMPS, null where it is not installed.
-Call find_mumps() {
-  static const Call found = [] {
+const Mumps& find_mumps() {
+  static const Mumps found = [] {
     const std::string version = MUMPS_VERSION, major_and_minor = version.substr(0, version.rfind('.'));
     void* library = dlopen(("libdmumps_seq-" + major_and_minor + ".so").c_str(), RTLD_NOW | RTLD_LOCAL);
-    if (library == nullptr) return Call{nullptr};
+    if (library == nullptr) return Mumps{};
     // Several threads of OpenBLAS would add in an order that depends on their number.
     if (void* set_threads = dlsym(library, "openblas_set_num_threads"))
       reinterpret_cast<void (*)(int)>(set_threads)(1);
+    // Those of Scotch would order equations as it happens, from some ten thousand on: other bits on every run.
+    ::setenv("SCOTCH_PTHREAD_NUMBER", "1", 1);
     allocate_buffers(library);
-    return reinterpret_cast<Call>(dlsym(library, "dmumps_c"));
+    return Mumps{reinterpret_cast<void (*)(DMUMPS_STRUC_C*)>(dlsym(library, "dmumps_c")),
+                 reinterpret_cast<void (*)()>(dlsym(library, "SCOTCH_randomReset"))};
   }();
   return found;
 }
@@ -57,7 +64,7 @@ constexpr int fortran_world = -987654, no_memory = -13;
 
 class MumpsFactor final : public SparseFactor {
  public:
-  MumpsFactor(Call call, bool is_symmetric) : call_(call), is_symmetric_(is_symmetric) {
+  MumpsFactor(const Mumps& mumps, bool is_symmetric) : mumps_(mumps), is_symmetric_(is_symmetric) {
     data_.par = 1;
     data_.sym = is_symmetric ? 2 : 0;
     data_.comm_fortran = fortran_world;
@@ -85,6 +92,8 @@ class MumpsFactor final : public SparseFactor {
     data_.irn = rows_.data();
     data_.jcn = columns_.data();
     data_.a = values_.data();
+    // Random numbers that went on from one factor to the next would give a run that is resumed other bits.
+    if (mumps_.reset_random != nullptr) mumps_.reset_random();
     const bool is_done = run(analyse_and_factorise);
     if (data_.infog[0] == no_memory) throw MemoryError(fmt::format("factorising {} equations", data_.n));
     return is_done;
@@ -103,11 +112,11 @@ class MumpsFactor final : public SparseFactor {
   void set(int control, int value) { data_.icntl[control - 1] = value; }
   bool run(Job job) const {
     data_.job = job;
-    call_(&data_);
+    mumps_.call(&data_);
     return data_.infog[0] >= 0;
   }
 
-  Call call_;
+  const Mumps& mumps_;
   bool is_symmetric_;
   mutable DMUMPS_STRUC_C data_{};  // of which every call changes something
   std::vector<MUMPS_INT> rows_, columns_;
@@ -116,11 +125,10 @@ class MumpsFactor final : public SparseFactor {
 
 }  // namespace
 
-bool has_mumps() { return find_mumps() != nullptr; }
+bool has_mumps() { return find_mumps().call != nullptr; }
 
 std::unique_ptr<SparseFactor> make_mumps_factor(bool is_symmetric) {
-  const Call call = find_mumps();
-  return call != nullptr ? std::make_unique<MumpsFactor>(call, is_symmetric) : nullptr;
+  return has_mumps() ? std::make_unique<MumpsFactor>(find_mumps(), is_symmetric) : nullptr;
 }
 
 }  // namespace contactsim
