@@ -48,7 +48,7 @@ void RunLog::write_start(const Simulation& run, bool is_resumed) {
   if (!is_resumed) log_.write(format_model(run.model(), run.start_report()));
   if (!is_resumed && run.contact_force() != nullptr)
     log_.write(format_contact_start(*run.contact_force(), *run.contact_model(), run.untied(), run.mesh()));
-  if (const auto traffic = run.rank_traffic()) log_.write(format_ranks(*traffic));
+  if (const auto traffic = run.rank_traffic()) log_.write(format_ranks(*traffic, run.load_steps() != nullptr));
   if (run.load_steps() != nullptr) log_.write(format_load_step_search(*run.load_steps()));
   log_.write(format_paths(run.output_paths()) + (run.load_steps() != nullptr
                                                      ? load_step_heading(run.contact_force() != nullptr)

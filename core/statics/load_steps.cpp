@@ -67,6 +67,7 @@ void LoadSteps::start(bool takes_over) {
       terms_.contact->set_moments(motion, moments.contact);
     }
   }
+  problem_.complete_elements();
   problem_.hold_lifeless(find_lifeless());
   problem_.begin();
   if (takes_over) problem_.let_go_until(schedule_.end_of_period(state_.time));
@@ -212,6 +213,7 @@ bool LoadSteps::try_step(double dt) {
   std::int64_t n_iterations = 0;
   for (std::int64_t n_rounds = 0;; ++n_rounds) {
     if (!seek(dt, increment)) return false;
+    problem_.complete_elements();
     n_iterations += report_.search.n_iterations;
     if (!has_deaths(n_rounds)) break;
   }

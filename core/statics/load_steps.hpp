@@ -39,7 +39,8 @@ struct LoadStepReport {
 };
 
 /// A quasi-static run: from one equilibrium to the next, as time goes by and nothing moves by inertia. The
-/// same bits for any number of threads.
+/// same bits for any number of threads, and of ranks, which work out forces together; between two steps, and
+/// where deaths are looked for, each knows all of the state.
 class LoadSteps {
  public:
   /// All must outlive it. Precondition: nothing in the model depends on velocities.

@@ -23,7 +23,7 @@ namespace {
 /// What is called of the library.
 struct Mumps {
   void (*call)(DMUMPS_STRUC_C*) = nullptr;  ///< null where it is not installed
-  void (*reset_random)() = nullptr;         ///< of Scotch, which orders equations for it; null where another does
+  void (*reset_random)() = nullptr;  ///< of Scotch, which orders equations for it; null where another does
 };
 
 /// OpenBLAS asks for its buffers for ever where there is no room for them: it is made to ask for them where
@@ -49,7 +49,8 @@ const Mumps& find_mumps() {
     // Several threads of OpenBLAS would add in an order that depends on their number.
     if (void* set_threads = dlsym(library, "openblas_set_num_threads"))
       reinterpret_cast<void (*)(int)>(set_threads)(1);
-    // Those of Scotch would order equations as it happens, from some ten thousand on: other bits on every run.
+    // Those of Scotch would order equations as it happens, from some ten thousand on: other bits on every
+    // run.
     ::setenv("SCOTCH_PTHREAD_NUMBER", "1", 1);
     allocate_buffers(library);
     return Mumps{reinterpret_cast<void (*)(DMUMPS_STRUC_C*)>(dlsym(library, "dmumps_c")),
