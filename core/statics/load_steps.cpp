@@ -76,6 +76,10 @@ void LoadSteps::start(bool takes_over) {
   state_.first_dt = state_.next_dt;
 }
 
+std::optional<FactorMemory> LoadSteps::factor_memory() const {
+  return has_tangent() ? tangent_->factor_memory() : std::nullopt;
+}
+
 bool LoadSteps::has_tangent() const { return tangent_ && tangent_->exists(); }
 
 void LoadSteps::renew_preconditioner(const Eigen::VectorXd& increment, bool may_keep_elements) {

@@ -73,6 +73,8 @@ class LoadSteps {
   const LoadStepReport& report() const { return report_; }
   /// The solver of the equations of Newton's steps; absent where the deck asks for nodal blocks alone.
   const std::optional<LinearSolverChoice>& linear_solver() const { return linear_solver_; }
+  /// Of the last factor; absent without one.
+  std::optional<FactorMemory> factor_memory() const;
   /// Saves or restores what the next step builds on besides the state.
   void archive(StateArchive& saved);
 

@@ -68,7 +68,7 @@ struct HeldBar {
 
   ///   ranks  null: one process that shares nothing
   End run(Ranks* ranks, const SolverSettings& settings, double load) const {
-    End end{make_state(mesh->coordinates(), model.blocks, 0.0)};
+    End end{make_state(mesh->coordinates(), model.blocks, 0.0), 0, ""};
     std::optional<RankShare> share;
     if (ranks != nullptr) share.emplace(*ranks, model, std::span<const NodeIndex>());
     InternalForce own(model, end.state, share ? &*share : nullptr);
