@@ -48,7 +48,8 @@ void RunLog::write_start(const Simulation& run, bool is_resumed) {
   if (!is_resumed) log_.write(format_model(run.model(), run.start_report()));
   if (!is_resumed && run.contact_force() != nullptr)
     log_.write(format_contact_start(*run.contact_force(), *run.contact_model(), run.untied(), run.mesh()));
-  if (const auto traffic = run.rank_traffic()) log_.write(format_ranks(*traffic));
+  if (const auto traffic = run.rank_traffic())
+    log_.write(format_ranks(*traffic, run.load_steps() != nullptr));
   if (run.load_steps() != nullptr) log_.write(format_load_step_search(*run.load_steps()));
   log_.write(format_paths(run.output_paths()) + (run.load_steps() != nullptr
                                                      ? load_step_heading(run.contact_force() != nullptr)
@@ -90,6 +91,7 @@ void RunLog::write_end(const Simulation& run) {
                format_pair_histories(*run.contact_model(), force->histories()) +
                format_contact(*force, run.load_steps() != nullptr));
   }
+  if (run.load_steps() != nullptr) log_.write(format_factor(*run.load_steps()));
   log_.write(format_stored_states(run.restart()));
   std::size_t n_elements = 0;
   for (const ModelBlock& block : run.model().blocks) n_elements += block.n_elements;

@@ -57,7 +57,13 @@ std::string format_model(const Model& model, const StepReport& at_start) {
   return text + "\n" + format_subcycles(model.subcycles);
 }
 
-std::string format_ranks(const RankTraffic& traffic) {
+std::string format_ranks(const RankTraffic& traffic, bool is_static) {
+  if (is_static) {
+    return fmt::format(
+        "  {} ranks: the busiest has {:.1f} % more elements and sends {} bytes to {} a trial, all get {}\n",
+        traffic.n_ranks, 100.0 * traffic.imbalance, traffic.bytes_sent, traffic.n_messages,
+        traffic.bytes_gathered);
+  }
   return fmt::format(
       "  {} ranks: {:.1f} % of the nodes shared, the busiest has {:.1f} % more elements and sends {} bytes "
       "to {} "

@@ -18,7 +18,8 @@ namespace contactsim {
 std::string format_model(const Model& model, const StepReport& at_start);
 
 /// How ranks share the run, and what they send in a step.
-std::string format_ranks(const RankTraffic& traffic);
+///   is_static  of load steps, in each of whose trials all ranks get the forces of all nodes
+std::string format_ranks(const RankTraffic& traffic, bool is_static);
 
 /// The files that the run writes; "" when there are none.
 std::string format_paths(std::span<const std::string> paths);

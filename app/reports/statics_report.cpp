@@ -8,16 +8,35 @@
 
 namespace contactsim {
 
+namespace {
+
+const char* describe(LinearSolver solver) {
+  if (solver == LinearSolver::multigrid) return "AMG, multigrid";
+  if (solver == LinearSolver::distributed)
+    return "DISTRIBUTED, a factor of MUMPS that ranks share:\n  results agree to the target of forces from "
+           "run to run, not "
+           "to the byte";
+  return has_mumps() ? "DIRECT, a factor of MUMPS" : "DIRECT, a factor of Eigen, slower than MUMPS'";
+}
+
+}  // namespace
+
 std::string format_load_step_search(const LoadSteps& load_steps) {
   const auto& choice = load_steps.linear_solver();
   if (!choice) return "  equilibrium by conjugate gradients with nodal blocks\n";
-  const char* name = choice->solver == LinearSolver::multigrid ? "AMG, multigrid"
-                     : has_mumps()                             ? "DIRECT, a factor of MUMPS"
-                                   : "DIRECT, a factor of Eigen, slower than MUMPS'";
-  std::string text = fmt::format("  equilibrium by Newton's steps, equations by {}", name);
-  if (!choice->is_asked_for) text += ", not by AMG as the deck asks";
+  std::string text =
+      fmt::format("  equilibrium by Newton's steps, equations by {}", describe(choice->solver));
+  if (!choice->is_asked_for) text += ", not as the deck asks";
   if (!choice->reason.empty()) text += ": " + choice->reason;
   return text + "\n";
+}
+
+std::string format_factor(const LoadSteps& load_steps) {
+  const auto& choice = load_steps.linear_solver();
+  const auto memory = load_steps.factor_memory();
+  if (!choice || choice->solver != LinearSolver::distributed || !memory) return "";
+  return fmt::format("\nFactor: {} MB on the rank with most of it, {} MB on all\n", memory->largest,
+                     memory->all);
 }
 
 std::string load_step_heading(bool has_contact) {

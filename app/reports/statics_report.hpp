@@ -11,6 +11,9 @@ namespace contactsim {
 /// How equilibrium is sought, by which equation solver and why.
 std::string format_load_step_search(const LoadSteps& load_steps);
 
+/// What a factor that ranks share takes of their memory; empty of others.
+std::string format_factor(const LoadSteps& load_steps);
+
 /// The heading of the lines of load steps.
 std::string load_step_heading(bool has_contact);
 

@@ -36,8 +36,12 @@ void LoadStepWarnings::begin(const LoadSteps& load_steps, const SolverSettings& 
                           "CONTROL FAILURE has no effect: the region has no ELEMENT DEATH");
   const auto& choice = load_steps.linear_solver();
   if (!choice || choice->is_asked_for) return;
-  warnings_.add_warning("linear-solver", settings.cg.full_tangent->name.location,
-                        "LINEAR SOLVER = AMG is DIRECT here: " + choice->reason);
+  warnings_.add_warning(
+      "linear-solver", settings.cg.full_tangent->name.location,
+      fmt::format(
+          "LINEAR SOLVER = {} is DIRECT here: {}",
+          settings.cg.full_tangent->linear_solver == LinearSolver::distributed ? "DISTRIBUTED" : "AMG",
+          choice->reason));
 }
 
 void LoadStepWarnings::note_deaths_left(const State& state) {

@@ -202,7 +202,15 @@ double Simulation::seconds() const { return parts_->whole_seconds; }
 std::vector<PartTime> Simulation::part_times() const { return parts_->times(); }
 
 std::optional<RankTraffic> Simulation::rank_traffic() const {
-  return parts_->share ? std::optional(parts_->share->traffic()) : std::nullopt;
+  if (!parts_->share) return std::nullopt;
+  RankTraffic traffic = parts_->share->traffic();
+  if (parts_->load_steps) {
+    const State& state = parts_->state;
+    traffic.bytes_gathered +=
+        sizeof(double) *
+        static_cast<std::size_t>(state.forces.internal.size() + state.rotations.moments.internal.size());
+  }
+  return traffic;
 }
 
 const ContactForce* Simulation::contact_force() const {

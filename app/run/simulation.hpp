@@ -102,7 +102,7 @@ class Simulation {
   const Model& model() const;
   const State& state() const;
   const TimeStepControl& control() const;
-  std::optional<RankTraffic> rank_traffic() const;  ///< of explicit procedures on several ranks
+  std::optional<RankTraffic> rank_traffic() const;  ///< on several ranks
   const ContactForce* contact_force() const;        ///< null without contact
   ContactForce* contact_force();
   const LoadSteps* load_steps() const;        ///< null in explicit procedures

@@ -72,11 +72,19 @@ std::vector<NodeIndex> nodes_everywhere(const RunInput& input, const Setup& setu
   return nodes;
 }
 
-/// Load steps look at all elements in each trial: every rank advances them all.
+/// In load steps all ranks get the forces of all nodes, whichever of them they follow.
 std::unique_ptr<RankShare> make_share(Ranks& ranks, const RunInput& input, const Setup& setup,
                                       const RunContact* contact) {
-  if (!ranks.are_several() || setup.load_schedule) return nullptr;
+  if (!ranks.are_several()) return nullptr;
+  if (setup.load_schedule)
+    return std::make_unique<RankShare>(ranks, setup.model, std::span<const NodeIndex>());
   return std::make_unique<RankShare>(ranks, setup.model, nodes_everywhere(input, setup, contact));
+}
+
+std::unique_ptr<SharedElements> make_shared_elements(const Setup& setup, InternalForce& internal,
+                                                     RankShare* share) {
+  if (share == nullptr || !setup.load_schedule) return nullptr;
+  return std::make_unique<SharedElements>(internal, *share);
 }
 
 /// Has the last two steps be of equal size, so that none vanishes, and end at a time.
@@ -105,7 +113,8 @@ Simulation::Parts::Parts(const RunInput& run_input, RunSettings run_settings, Di
                        setup.load_schedule || !setup.external.is_empty())),
       share(make_share(settings.ranks, input, setup, contact.get())),
       internal(setup.model, state, share.get()),
-      timed_internal(internal),
+      shared_internal(make_shared_elements(setup, internal, share.get())),
+      timed_internal(shared_internal ? static_cast<ForceTerm&>(*shared_internal) : internal),
       timed_external(setup.external),
       energy_warnings(setup.model, diagnostics),
       load_step_warnings(diagnostics) {
@@ -114,7 +123,7 @@ Simulation::Parts::Parts(const RunInput& run_input, RunSettings run_settings, Di
     subcycler.emplace(setup.model, state);
   }
   stop_on_errors(diagnostics);
-  if (share != nullptr) {
+  if (share != nullptr && !setup.load_schedule) {
     setup.external.follow(share->followed());
     if (death) death->share_among(*share, [this] { complete_state(); });
   }
@@ -235,7 +244,7 @@ bool Simulation::Parts::advance() {
 }
 
 void Simulation::Parts::complete_state() {
-  if (share == nullptr || complete_step == state.step) return;
+  if (share == nullptr || load_steps || complete_step == state.step) return;
   share->complete(state);
   complete_step = state.step;
 }

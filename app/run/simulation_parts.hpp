@@ -22,6 +22,7 @@
 #include "core/dynamics/subcycler.hpp"
 #include "core/output/output_plan.hpp"
 #include "core/statics/load_steps.hpp"
+#include "core/statics/shared_elements.hpp"
 
 namespace contactsim {
 
@@ -31,7 +32,7 @@ struct Simulation::Parts {
 
   ForceTerms terms() {
     return {timed_internal, timed_external, timed_contact ? &*timed_contact : nullptr,
-            subcycler ? &*subcycler : nullptr};
+            subcycler ? &*subcycler : nullptr, setup.load_schedule ? share.get() : nullptr};
   }
   Checkpoint checkpoint();
   /// Gives files their names, and has steps end where they want them to. Throws FileError when one would
@@ -72,9 +73,10 @@ struct Simulation::Parts {
   RunRestart restart;
   const std::vector<RunMark> marks;  // of runs that store states
   State state;
-  const std::unique_ptr<RankShare> share;  // of explicit procedures on several ranks, else null
-  std::int64_t complete_step = -1;         // whose state is complete
+  const std::unique_ptr<RankShare> share;  // on several ranks, else null
+  std::int64_t complete_step = -1;         // of explicit procedures, whose state is complete
   InternalForce internal;
+  const std::unique_ptr<SharedElements> shared_internal;  // of load steps on several ranks, else null
   std::optional<Subcycler> subcycler;
   TimedForce timed_internal, timed_external;
   std::optional<TimedForce> timed_contact;

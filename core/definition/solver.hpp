@@ -36,9 +36,10 @@ enum class ResidualReference : std::uint8_t {
 
 /// How equations of the whole stiffness are solved.
 enum class LinearSolver : std::uint8_t {
-  automatic,  ///< by multigrid for large solids, else by a factor
-  multigrid,  ///< conjugate gradients with smoothed aggregation
-  direct      ///< a sparse factor
+  automatic,   ///< by multigrid for large solids, else by a factor
+  multigrid,   ///< conjugate gradients with smoothed aggregation
+  direct,      ///< a sparse factor
+  distributed  ///< the same divided among ranks, whose last bits differ from run to run
 };
 
 /// BEGIN FULL TANGENT PRECONDITIONER: the inverse of the whole stiffness, made anew where it has become a bad

@@ -17,6 +17,7 @@ struct ForceTerms {
   ForceTerm& external;
   ForceTerm* contact = nullptr;
   Subcycler* subcycler = nullptr;  ///< of the elements that are advanced in parts of a step
+  RankShare* share = nullptr;      ///< of load steps on several ranks, that of the internal term
 };
 
 /// What a step was like, besides the state it left.

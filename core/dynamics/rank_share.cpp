@@ -34,6 +34,16 @@ RankShare::RankShare(Ranks& ranks, const Model& model, std::span<const NodeIndex
   }
 }
 
+ChunkRange RankShare::own_values(std::size_t block) const {
+  const ModelBlock& of = model_.blocks[block];
+  const ChunkRange own = own_chunks(block);
+  const auto begin_of = [&](std::size_t chunk) {
+    const std::size_t batch = chunk < of.chunks.size() ? of.chunks[chunk].first_batch : of.n_batches();
+    return batch * of.layout.size();
+  };
+  return {begin_of(own.begin), begin_of(own.end)};
+}
+
 bool RankShare::has_element(ElementIndex element) const {
   for (std::size_t b = 0; b < model_.blocks.size(); ++b) {
     const ModelBlock& block = model_.blocks[b];
@@ -126,28 +136,30 @@ void RankShare::exchange(std::span<ChunkStep> steps, State& state) {
   }
 }
 
-/// Brings the values of nodes that other ranks sum.
-///   values  [3 x n_nodes], or without columns
 void RankShare::gather_nodes(Eigen::Matrix3Xd& values) {
   if (values.cols() == 0) return;
-  std::vector<double> sorted;
-  sorted.reserve(static_cast<std::size_t>(values.size()));
+  at_nodes_.resize(static_cast<std::size_t>(values.size()));
   std::vector<std::size_t> begins{0};
-  std::size_t k = 0;
-  for (const std::size_t end : std::span(first_sum_).subspan(1)) {
-    for (; k < end; ++k) {
+  // Calls take(stretch gathered, stretch of the values, numbers) for the sums that a rank makes.
+  const auto visit_rank = [&](int rank, std::size_t first, const auto& take) {
+    const auto r = static_cast<std::size_t>(rank);
+    for (std::size_t k = first_sum_[r]; k < first_sum_[r + 1]; ++k) {
       const NodeRange nodes = nodes_.nodes_of_sum(sums_by_rank_[k]);
-      sorted.insert(sorted.end(), values.data() + 3 * nodes.begin, values.data() + 3 * nodes.end);
+      const auto n = static_cast<std::size_t>(3 * (nodes.end - nodes.begin));
+      take(at_nodes_.data() + first, values.data() + 3 * nodes.begin, n);
+      first += n;
     }
-    begins.push_back(sorted.size() * sizeof(double));
-  }
-  ranks_.gather(std::as_writable_bytes(std::span(sorted)), begins);
-  const double* next = sorted.data();
-  for (const std::uint32_t i : sums_by_rank_) {
-    const NodeRange nodes = nodes_.nodes_of_sum(i);
-    const std::int64_t n = 3 * (nodes.end - nodes.begin);
-    std::copy_n(next, n, values.data() + 3 * nodes.begin);
-    next += n;
+    return first;
+  };
+  for (int rank = 0; rank < ranks_.count(); ++rank)
+    begins.push_back(visit_rank(rank, begins.back(), [&](double* gathered, const double* own, std::size_t n) {
+      if (rank == ranks_.rank()) std::copy_n(own, n, gathered);
+    }));
+  ranks_.gather_items(std::span(at_nodes_), begins);
+  for (int rank = 0; rank < ranks_.count(); ++rank) {
+    if (rank == ranks_.rank()) continue;
+    visit_rank(rank, begins[static_cast<std::size_t>(rank)],
+               [](const double* gathered, double* there, std::size_t n) { std::copy_n(gathered, n, there); });
   }
 }
 
@@ -163,6 +175,10 @@ void RankShare::complete_nodes(State& state) {
 
 void RankShare::complete(State& state) {
   complete_nodes(state);
+  complete_elements(state);
+}
+
+void RankShare::complete_elements(State& state) {
   const auto n_ranks = static_cast<std::size_t>(ranks_.count());
   std::vector<std::size_t> begins(n_ranks + 1);
   for (std::size_t b = 0; b < model_.blocks.size(); ++b) {

@@ -14,10 +14,10 @@
 
 namespace contactsim {
 
-/// What a rank does of a step of explicit dynamics, and what it tells the others. It advances its own chunks
-/// of elements; the sums that the others' chunks have at the nodes that it follows arrive in the very places
-/// where its own would stand, so that NodeSums adds up at each node in the order of one process: the same
-/// bits for any number of ranks. All ranks call its functions alike.
+/// What a rank does of a step of explicit dynamics, or of a trial of a load step, and what it tells the
+/// others. It advances its own chunks of elements; the sums that the others' chunks have at the nodes that it
+/// follows arrive in the very places where its own would stand, so that NodeSums adds up at each node in the
+/// order of one process: the same bits for any number of ranks. All ranks call its functions alike.
 class RankShare {
  public:
   /// Ranks and model must outlive it.
@@ -26,7 +26,10 @@ class RankShare {
   RankShare(const RankShare&) = delete;
   RankShare& operator=(const RankShare&) = delete;
 
+  Ranks& ranks() const { return ranks_; }
   ChunkRange own_chunks(std::size_t block) const { return chunks_.of(ranks_.rank(), block); }
+  /// Where what they remember stands in ModelBlockState::values.
+  ChunkRange own_values(std::size_t block) const;
   /// Whether this rank advances an element of the mesh.
   bool has_element(ElementIndex element) const;
   /// Ranks::join().
@@ -54,6 +57,11 @@ class RankShare {
   void complete(State& state);
   /// The nodes alone.
   void complete_nodes(State& state);
+  /// What elements remember alone.
+  void complete_elements(State& state);
+  /// Brings all ranks the values of all nodes, each from the rank that makes the sums of it.
+  ///   values  [3 x n_nodes], or without columns
+  void gather_nodes(Eigen::Matrix3Xd& values);
 
  private:
   /// The places of a block's chunk sums that go from one rank to another.
@@ -63,7 +71,6 @@ class RankShare {
   std::size_t message_size(const Places& places) const;
   template <class Item>
   void visit(const Places& places, State& state, const Item& item) const;
-  void gather_nodes(Eigen::Matrix3Xd& values);
 
   Ranks& ranks_;
   const Model& model_;
@@ -74,6 +81,7 @@ class RankShare {
   std::vector<std::vector<std::byte>> sent_, got_;  // [n_ranks] messages
   std::vector<std::uint32_t> sums_by_rank_;         // [n_sums] those of the first rank first
   std::vector<std::size_t> first_sum_;              // [n_ranks + 1] in sums_by_rank_
+  std::vector<double> at_nodes_;                    // [3 x n_nodes] by ranks, what is gathered
 };
 
 template <class Sum>

@@ -5,8 +5,12 @@
 
 namespace contactsim {
 
-FullTangent::FullTangent(StaticProblem& problem, const NodeGraph& graph, const FullTangentSettings& settings)
-    : Tangent(problem, graph, settings), graph_(graph), factor_(make_sparse_factor(is_symmetric())) {}
+FullTangent::FullTangent(StaticProblem& problem, const NodeGraph& graph, const FullTangentSettings& settings,
+                         bool is_distributed)
+    : Tangent(problem, graph, settings),
+      graph_(graph),
+      factor_(is_distributed ? make_distributed_factor(is_symmetric(), problem.ranks())
+                             : make_sparse_factor(is_symmetric())) {}
 
 void FullTangent::number_unknowns() {
   numbers_.assign(static_cast<std::size_t>(problem_.size()), std::nullopt);

@@ -16,12 +16,16 @@ namespace contactsim {
 /// unsymmetric one, and by its symmetric part Newton's steps do not converge.
 class FullTangent final : public Tangent {
  public:
-  /// All must outlive it.
-  FullTangent(StaticProblem& problem, const NodeGraph& graph, const FullTangentSettings& settings);
+  /// All must outlive it. Throws FileError where the factor is to be divided among ranks and cannot.
+  ///   is_distributed  it is
+  FullTangent(StaticProblem& problem, const NodeGraph& graph, const FullTangentSettings& settings,
+              bool is_distributed = false);
 
   bool exists() const override { return exists_; }
   /// 0 where nodes turn, whose factor does not tell; of the last factor.
   std::int64_t n_negative() const override { return exists_ ? factor_->n_negative() : 0; }
+
+  std::optional<FactorMemory> factor_memory() const override { return factor_->memory(); }
 
   void apply(const Eigen::VectorXd& residual, Eigen::VectorXd& z) const override;
 

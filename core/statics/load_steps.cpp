@@ -67,12 +67,17 @@ void LoadSteps::start(bool takes_over) {
       terms_.contact->set_moments(motion, moments.contact);
     }
   }
+  problem_.complete_elements();
   problem_.hold_lifeless(find_lifeless());
   problem_.begin();
   if (takes_over) problem_.let_go_until(schedule_.end_of_period(state_.time));
   state_.acceleration.setZero();
   state_.next_dt = schedule_.step_at(state_.time);
   state_.first_dt = state_.next_dt;
+}
+
+std::optional<FactorMemory> LoadSteps::factor_memory() const {
+  return has_tangent() ? tangent_->factor_memory() : std::nullopt;
 }
 
 bool LoadSteps::has_tangent() const { return tangent_ && tangent_->exists(); }
@@ -212,6 +217,7 @@ bool LoadSteps::try_step(double dt) {
   std::int64_t n_iterations = 0;
   for (std::int64_t n_rounds = 0;; ++n_rounds) {
     if (!seek(dt, increment)) return false;
+    problem_.complete_elements();
     n_iterations += report_.search.n_iterations;
     if (!has_deaths(n_rounds)) break;
   }

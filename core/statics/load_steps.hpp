@@ -39,7 +39,8 @@ struct LoadStepReport {
 };
 
 /// A quasi-static run: from one equilibrium to the next, as time goes by and nothing moves by inertia. The
-/// same bits for any number of threads.
+/// same bits for any number of threads, and of ranks, which work out forces together; between two steps, and
+/// where deaths are looked for, each knows all of the state.
 class LoadSteps {
  public:
   /// All must outlive it. Precondition: nothing in the model depends on velocities.
@@ -72,6 +73,8 @@ class LoadSteps {
   const LoadStepReport& report() const { return report_; }
   /// The solver of the equations of Newton's steps; absent where the deck asks for nodal blocks alone.
   const std::optional<LinearSolverChoice>& linear_solver() const { return linear_solver_; }
+  /// Of the last factor; absent without one.
+  std::optional<FactorMemory> factor_memory() const;
   /// Saves or restores what the next step builds on besides the state.
   void archive(StateArchive& saved);
 

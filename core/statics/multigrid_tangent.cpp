@@ -22,7 +22,7 @@ Modes MultigridTangent::rigid_modes(const Eigen::VectorXd& increment) const {
 void MultigridTangent::follow(const Eigen::VectorXd& increment, bool /*has_new_elements*/) {
   multigrid_.reset();
   matrix_ = blocks_.take_symmetric(problem_.contact() != nullptr);
-  multigrid_.emplace(matrix_, rigid_modes(increment));
+  multigrid_.emplace(matrix_, rigid_modes(increment), problem_.ranks());
 }
 
 void MultigridTangent::apply(const Eigen::VectorXd& residual, Eigen::VectorXd& z) const {

@@ -22,7 +22,10 @@ void LinearisedEquilibrium::solve(const Eigen::VectorXd& increment, const Eigen:
   // Of faces that part and meet a step gains no more than a hundredth.
   const double tolerance = equilibrium_.is_rough() ? 1e-2 : 1e-3;
   constexpr int most_of_now = 240;
-  const Eigen::VectorXd scales = equilibrium_.scales(right.size()), lengths = scales.cwiseInverse();
+  const Eigen::VectorXd scales = equilibrium_.scales(right.size());
+  // Rotations without inertia, of nodes of solids, have a scale of 0 and no moments.
+  const Eigen::VectorXd lengths =
+      scales.unaryExpr([](double scale) { return scale > 0.0 ? 1.0 / scale : 0.0; });
   Eigen::VectorXd moved;
   bool exists = true;
   const bool by_springs = equilibrium_.is_rough() && !is_near_;

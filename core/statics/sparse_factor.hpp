@@ -4,8 +4,17 @@
 #include <Eigen/SparseCore>
 #include <cstdint>
 #include <memory>
+#include <optional>
 
 namespace contactsim {
+
+class Ranks;
+
+/// The memory that a factor takes, as its library counts it [10^6 bytes].
+struct FactorMemory {
+  std::int64_t largest = 0;  ///< on the rank that has most of it
+  std::int64_t all = 0;      ///< on all ranks
+};
 
 /// A factor of a sparse matrix, by which equations are solved. The same bits for any number of threads.
 class SparseFactor {
@@ -20,6 +29,8 @@ class SparseFactor {
   virtual Eigen::VectorXd solve(const Eigen::VectorXd& right) const = 0;
   /// Negative pivots of a symmetric matrix: as many directions have a negative stiffness.
   virtual std::int64_t n_negative() const = 0;
+  /// Of the last factorise(); absent where the library does not tell.
+  virtual std::optional<FactorMemory> memory() const { return std::nullopt; }
 };
 
 /// The factor of the library MUMPS, which is loaded when first asked for, else Eigen's, which is ten times
@@ -34,5 +45,11 @@ std::unique_ptr<SparseFactor> make_eigen_factor(bool is_symmetric);
 
 /// MUMPS' factor, null where the library cannot be loaded. Source: MUMPS 5.5 Users' guide.
 std::unique_ptr<SparseFactor> make_mumps_factor(bool is_symmetric);
+
+/// MUMPS' factor that ranks make together, each with a part of it; all call its functions alike, with the
+/// same numbers, and get the same solution. Its last bits differ from run to run, since parts are added up as
+/// they arrive. Throws FileError where its library cannot be loaded, or works by another MPI than the ranks.
+///   ranks  must outlive it
+std::unique_ptr<SparseFactor> make_distributed_factor(bool is_symmetric, Ranks& ranks);
 
 }  // namespace contactsim

@@ -8,6 +8,7 @@
 
 #include "core/base/errors.hpp"
 #include "core/base/state_archive.hpp"
+#include "core/dynamics/rank_share.hpp"
 #include "core/dynamics/state_motion.hpp"
 
 namespace contactsim {
@@ -37,7 +38,8 @@ StaticProblem::StaticProblem(const Model& model, ForceTerms terms, StaticContact
       bodies_(model, state),
       unknowns_(model, bodies_.n_nodes(), state.rotations.exist()),
       probe_length_(probe_share * node_distance(state.coordinates)),
-      held_(unknowns_.n(), unknowns_.turn()) {}
+      held_(unknowns_.n(), unknowns_.turn()),
+      start_(terms.share) {}
 
 void StaticProblem::begin() {
   held_.find(model_, bodies_, state_.time);
@@ -75,6 +77,12 @@ void StaticProblem::begin_step(double dt) {
     prescribed_.segment(unknowns_.n(), unknowns_.n_mesh()) =
         increment_of(model_.rotation_constraints, &state_.rotations.angle);
   let_go_ = has_deaths_ ? unbalanced_at_start() : Eigen::VectorXd();
+}
+
+Ranks& StaticProblem::ranks() const { return terms_.share != nullptr ? terms_.share->ranks() : one_rank(); }
+
+void StaticProblem::complete_elements() {
+  if (terms_.share != nullptr) terms_.share->complete_elements(state_);
 }
 
 void StaticProblem::restore() {
@@ -240,6 +248,10 @@ double StaticProblem::reference_now() const {
   }
   return std::max({norm(forces().gathered(forces().now(&NodalForces::external))),
                    norm(forces().gathered(forces().now(&NodalForces::internal))), norm(reaction)});
+}
+
+void StaticProblem::add_springs(const Eigen::VectorXd& direction, Eigen::VectorXd& product) const {
+  springs_.add(unknowns_.n(), direction, product);
 }
 
 double StaticProblem::probe_factor(const Eigen::VectorXd& direction) const {

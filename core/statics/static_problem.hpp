@@ -18,6 +18,8 @@
 
 namespace contactsim {
 
+class RankShare;
+class Ranks;
 class StateArchive;
 
 /// Thrown where the search for an equilibrium is given up on request.
@@ -27,11 +29,12 @@ struct SearchGivenUp {};
 /// what elements remember of the step's start, so that trials leave no trace. Inertia has no part in it.
 class StaticProblem final : public Equilibrium {
  public:
-  /// All must outlive it.
-  ///   contact  the same as that of the terms, null without
+  /// All must outlive it; contact: that of the terms, null without.
   StaticProblem(const Model& model, ForceTerms terms, StaticContact* contact, ResidualReference reference,
                 State& state);
 
+  Ranks& ranks() const;      ///< that evaluate the problem together
+  void complete_elements();  ///< all ranks know what all remember in the last evaluation
   /// Has evaluations throw SearchGivenUp once that is wanted; null: never.
   void give_up_when(std::function<bool()> wants_end) { wants_end_ = std::move(wants_end); }
 
@@ -48,8 +51,7 @@ class StaticProblem final : public Equilibrium {
   /// out of balance by that is let go in the step that follows.
   ///   lifeless  nodes of dead elements alone, of now: they stay where they are, as if held, ascending
   void note_deaths(std::vector<NodeIndex> lifeless);
-  /// Whether it was called since the last step.
-  bool has_deaths() const { return has_deaths_; }
+  bool has_deaths() const { return has_deaths_; }  ///< whether it was called since the last step
   /// To be called once the state is that of before note_deaths() again.
   ///   lifeless    of then
   ///   has_deaths  what has_deaths() was then
@@ -96,9 +98,7 @@ class StaticProblem final : public Equilibrium {
     return contact_ != nullptr && contact_->hold_slip_limits(does);
   }
   void find_springs() override { springs_.find(contact_, bodies_, held_); }
-  void add_springs(const Eigen::VectorXd& direction, Eigen::VectorXd& product) const override {
-    springs_.add(unknowns_.n(), direction, product);
-  }
+  void add_springs(const Eigen::VectorXd& direction, Eigen::VectorXd& product) const override;
   double longest_step(const Eigen::VectorXd& direction) const override;
   void project(Eigen::VectorXd& vector) const override { held_.project(vector); }
 

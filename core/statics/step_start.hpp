@@ -7,9 +7,14 @@
 
 namespace contactsim {
 
+class RankShare;
+
 /// What trials of a load step change of a state, as it is where the step begins. Rigid bodies are left out.
 class StepStart {
  public:
+  ///   share  of a rank, whose own elements alone restore_elements() brings back; must outlive this; null:
+  ///   all
+  explicit StepStart(const RankShare* share = nullptr) : share_(share) {}
   void remember(const State& state);
   /// Brings back what elements remember. Precondition: remember() was called, as for all that follows.
   void restore_elements(State& state) const;
@@ -22,6 +27,7 @@ class StepStart {
   const NodalForces& forces() const { return forces_; }
 
  private:
+  const RankShare* share_;
   double time_ = 0.0;
   Eigen::Matrix3Xd coordinates_, velocity_;
   NodalRotations rotations_;

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/parallel/ranks.hpp"
 #include "core/statics/full_tangent.hpp"
 #include "core/statics/multigrid_tangent.hpp"
 
@@ -54,6 +55,10 @@ bool Tangent::catch_up() {
 LinearSolverChoice choose_linear_solver(const StaticProblem& problem, const NodeGraph& graph,
                                         LinearSolver asked) {
   if (asked == LinearSolver::direct) return {asked, true, ""};
+  if (asked == LinearSolver::distributed) {
+    if (problem.ranks().are_several()) return {asked, true, ""};
+    return {LinearSolver::direct, false, "the run is on one rank"};
+  }
   if (const std::string reason = why_factor(problem, graph); !reason.empty())
     return {LinearSolver::direct, asked == LinearSolver::automatic, reason};
   if (asked == LinearSolver::multigrid) return {asked, true, ""};
@@ -64,9 +69,9 @@ LinearSolverChoice choose_linear_solver(const StaticProblem& problem, const Node
 
 std::unique_ptr<Tangent> make_tangent(StaticProblem& problem, const NodeGraph& graph,
                                       const FullTangentSettings& settings) {
-  if (choose_linear_solver(problem, graph, settings.linear_solver).solver == LinearSolver::multigrid)
-    return std::make_unique<MultigridTangent>(problem, graph, settings);
-  return std::make_unique<FullTangent>(problem, graph, settings);
+  const LinearSolver solver = choose_linear_solver(problem, graph, settings.linear_solver).solver;
+  if (solver == LinearSolver::multigrid) return std::make_unique<MultigridTangent>(problem, graph, settings);
+  return std::make_unique<FullTangent>(problem, graph, settings, solver == LinearSolver::distributed);
 }
 
 }  // namespace contactsim

@@ -2,11 +2,13 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "core/definition/solver.hpp"
 #include "core/statics/node_graph.hpp"
+#include "core/statics/sparse_factor.hpp"
 #include "core/statics/tangent_blocks.hpp"
 
 namespace contactsim {
@@ -32,6 +34,8 @@ class Tangent : public Preconditioner {
   virtual bool exists() const = 0;
   /// Directions along which the stiffness is known to be negative: of a body that has buckled.
   virtual std::int64_t n_negative() const { return 0; }
+  /// Of the last factor; absent without one.
+  virtual std::optional<FactorMemory> factor_memory() const { return std::nullopt; }
 
  protected:
   Tangent(StaticProblem& problem, const NodeGraph& graph, const FullTangentSettings& settings)

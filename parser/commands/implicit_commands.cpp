@@ -46,12 +46,13 @@ Reader<double> cutback() {
 
 /// The solvers of Sierra/SM stand for the choice of contactsim.
 void read_linear_solver(Arguments& arguments, FullTangentSettings& full) {
-  static const Choices words({"auto", "amg", "direct", "feti", "gdsw", "tpetra"});
+  static const Choices words({"auto", "amg", "direct", "distributed", "feti", "gdsw", "tpetra"});
   const Word& word = arguments.peek();
   const std::size_t choice = arguments.choice(words);
   if (choice == 1) full.linear_solver = LinearSolver::multigrid;
   if (choice == 2) full.linear_solver = LinearSolver::direct;
-  if (choice > 2)
+  if (choice == 3) full.linear_solver = LinearSolver::distributed;
+  if (choice > 3)
     arguments.warn("deck-ignored", word,
                    "the equation solver is one of contactsim's own, chosen by the model",
                    "LINEAR SOLVER = AUTO says so; AMG and DIRECT choose");
@@ -70,8 +71,10 @@ const Table<FullTangentSettings>& full_tangent_table() {
       ignored<F>("maximum updates for modelproblem", "= <integer>", when),
       ignored<F>("step update", "= <integer>", when),
       row<F>(
-          "linear solver", "= {AUTO|AMG|DIRECT|FETI|GDSW|TPETRA}", read_linear_solver,
-          "Equation solver: AMG is multigrid, for large solids; DIRECT a sparse factor; AUTO the sooner one",
+          "linear solver", "= {AUTO|AMG|DIRECT|DISTRIBUTED|FETI|GDSW|TPETRA}", read_linear_solver,
+          "Equation solver: AMG is multigrid, for large solids; DIRECT a sparse factor; AUTO the sooner one; "
+          "DISTRIBUTED a factor whose memory ranks divide, with results that agree to the target of forces, "
+          "not to the byte",
           "AUTO"),
       ignored<F>("nodal probe factor", "= <real>", "probes are a millionth of the distance between nodes"),
       ignored<F>("constraint enforcement", "= <method>", own),

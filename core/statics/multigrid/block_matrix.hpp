@@ -61,14 +61,6 @@ Eigen::Matrix<double, R, 1> row_times(const BlockMatrix<R, C>& matrix, std::uint
   return sum;
 }
 
-/// Sets y to matrix x.
-template <int R, int C>
-void multiply(const BlockMatrix<R, C>& matrix, const Eigen::VectorXd& x, Eigen::VectorXd& y) {
-  y.resize(Eigen::Index{R} * matrix.n_rows());
-  parallel_for(matrix.n_rows(), threads_for(matrix.n_blocks()),
-               [&](std::uint32_t row) { part_of<R>(y, row) = row_times(matrix, row, x); });
-}
-
 /// Where the blocks of a matrix stand, column by column.
 struct ColumnPlaces {
   std::vector<std::size_t> first;   ///< [n_columns + 1] of a column's blocks
@@ -95,18 +87,15 @@ ColumnPlaces find_columns(const BlockMatrix<R, C>& matrix) {
   return by_column;
 }
 
-/// Sets y to the transpose of a matrix times x.
+/// The transpose of a column of a matrix times a vector.
 template <int R, int C>
-void multiply_transposed(const BlockMatrix<R, C>& matrix, const ColumnPlaces& by_column,
-                         const Eigen::VectorXd& x, Eigen::VectorXd& y) {
-  y.resize(Eigen::Index{C} * matrix.n_columns);
-  parallel_for(matrix.n_columns, threads_for(matrix.n_blocks()), [&](std::uint32_t column) {
-    Eigen::Matrix<double, C, 1> sum = Eigen::Matrix<double, C, 1>::Zero();
-    for (std::size_t k = by_column.first[column]; k < by_column.first[column + std::size_t{1}]; ++k)
-      sum.noalias() +=
-          matrix.block(by_column.places[k]).transpose().lazyProduct(part_of<R>(x, by_column.rows[k]));
-    part_of<C>(y, column) = sum;
-  });
+Eigen::Matrix<double, C, 1> column_times(const BlockMatrix<R, C>& matrix, const ColumnPlaces& by_column,
+                                         std::uint32_t column, const Eigen::VectorXd& x) {
+  Eigen::Matrix<double, C, 1> sum = Eigen::Matrix<double, C, 1>::Zero();
+  for (std::size_t k = by_column.first[column]; k < by_column.first[column + std::size_t{1}]; ++k)
+    sum.noalias() +=
+        matrix.block(by_column.places[k]).transpose().lazyProduct(part_of<R>(x, by_column.rows[k]));
+  return sum;
 }
 
 }  // namespace contactsim

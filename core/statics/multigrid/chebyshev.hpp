@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <utility>
+
 #include "core/statics/multigrid/block_matrix.hpp"
+#include "core/statics/multigrid/row_share.hpp"
 #include "core/statics/positive_inverse.hpp"
 
 namespace contactsim {
@@ -16,7 +19,9 @@ class Chebyshev {
  public:
   Chebyshev() = default;
   /// Of a symmetric matrix.
-  explicit Chebyshev(const BlockMatrix<N, N>& matrix) : inverses_(matrix.n_rows()) {
+  ///   rows  of it that are worked out here
+  Chebyshev(const BlockMatrix<N, N>& matrix, RowShare rows)
+      : rows_(std::move(rows)), inverses_(matrix.n_rows()) {
     parallel_for(matrix.n_rows(), threads_for(10 * std::size_t{matrix.n_rows()}), [&](std::uint32_t row) {
       inverses_[row].setZero();
       if (!matrix.columns_of(row).empty())
@@ -30,6 +35,8 @@ class Chebyshev {
   /// The largest eigenvalue of D^-1 A, some percent too small.
   double largest() const { return largest_; }
 
+  const RowShare& rows() const { return rows_; }
+
   /// Improves x towards A x = right.
   ///   is_zero  whether x is 0, which saves a product
   void smooth(const BlockMatrix<N, N>& matrix, const Eigen::VectorXd& right, bool is_zero,
@@ -37,19 +44,26 @@ class Chebyshev {
     constexpr int degree = 2;
     constexpr double margin = 1.1, lowest = 0.1;  // of the largest eigenvalue
     const double centre = 0.5 * (margin + lowest) * largest_, radius = 0.5 * (margin - lowest) * largest_;
-    const int n_threads = threads_for(matrix.n_blocks());
     step_.setZero(x.size());
     double last = 0.0;  // ratio of the polynomials of two degrees
     for (int i = 0; i < degree; ++i) {
       const double ratio = i == 0 ? radius / centre : 1.0 / (2.0 * centre / radius - last);
       const double keep = ratio * last, add = i == 0 ? 1.0 / centre : 2.0 * ratio / radius;
       last = ratio;
-      parallel_for(matrix.n_rows(), n_threads, [&](std::uint32_t row) {
+      const bool has_product = i > 0 || !is_zero;
+      const auto improve = [&](std::uint32_t row) {
         Part left = part_of<N>(right, row);
-        if (i > 0 || !is_zero) left -= row_times(matrix, row, x);
+        if (has_product) left -= row_times(matrix, row, x);
         part_of<N>(step_, row) = keep * part_of<N>(step_, row) + add * inverses_[row].lazyProduct(left);
-      });
-      x += step_;
+      };
+      if (!has_product) {  // less work than to tell each other
+        parallel_for(matrix.n_rows(), threads_for(matrix.n_blocks()), improve);
+        x += step_;
+        continue;
+      }
+      rows_.for_rows(improve);
+      rows_.template part<N>(x) += rows_.template part<N>(step_);
+      rows_.template gather<N>(x);
     }
   }
 
@@ -66,10 +80,11 @@ class Chebyshev {
       value = static_cast<double>(random) / 4294967296.0 - 0.5;
     }
     for (int i = 0; i < n_iterations; ++i) {
-      parallel_for(matrix.n_rows(), threads_for(matrix.n_blocks()), [&](std::uint32_t row) {
+      rows_.for_rows([&](std::uint32_t row) {
         const Part product = row_times(matrix, row, x);
         part_of<N>(y, row) = inverses_[row].lazyProduct(product);
       });
+      rows_.template gather<N>(y);
       const double size = y.norm();
       if (!(size > 0.0)) return;
       largest_ = size / x.norm();
@@ -77,6 +92,7 @@ class Chebyshev {
     }
   }
 
+  RowShare rows_;
   std::vector<Eigen::Matrix<double, N, N>> inverses_;  // [n_rows]
   double largest_ = 1.0;
   mutable Eigen::VectorXd step_;

@@ -25,14 +25,15 @@ void hold_empty_columns(BlockMatrix<6, 6>& matrix) {
 /// Makes a level, and the stiffness and the modes of the next one. Returns false when nothing joins its
 /// nodes.
 template <int N>
-bool coarsen(const BlockMatrix<N, N>& matrix, double threshold, Modes& modes, GridLevel<N>& level,
-             BlockMatrix<6, 6>& coarse) {
-  level.smoother = Chebyshev<N>(matrix);
+bool coarsen(const BlockMatrix<N, N>& matrix, double threshold, Ranks& ranks, Modes& modes,
+             GridLevel<N>& level, BlockMatrix<6, 6>& coarse) {
+  level.smoother = Chebyshev<N>(matrix, RowShare(matrix.first, ranks));
   const Aggregates groups = aggregate(matrix.first, matrix.columns, find_strengths(matrix, threshold));
   if (groups.n == 0) return false;
   GroupColumns<N> columns = make_group_columns<N>(groups, modes);
   level.prolongator = smooth_columns(matrix, level.smoother, groups, columns);
   level.by_column = find_columns(level.prolongator);
+  level.columns = RowShare(level.by_column.first, ranks);
   coarse = galerkin_product(matrix, level.prolongator, level.by_column);
   hold_empty_columns(coarse);
   modes = std::move(columns.coarse_modes);
@@ -57,29 +58,39 @@ void correct(const BlockMatrix<N, N>& matrix, const GridLevel<N>& level, const E
   x.setZero(right.size());
   level.smoother.smooth(matrix, right, true, x);
   if (level.prolongator.n_columns > 0) {
-    multiply(matrix, x, level.left);
-    level.left = right - level.left;
-    multiply_transposed(level.prolongator, level.by_column, level.left, level.coarse_right);
+    const RowShare& rows = level.smoother.rows();
+    level.left.resize(right.size());
+    rows.for_rows([&](std::uint32_t row) {
+      part_of<N>(level.left, row) = part_of<N>(right, row) - row_times(matrix, row, x);
+    });
+    rows.template gather<N>(level.left);
+    level.coarse_right.resize(6 * Eigen::Index{level.prolongator.n_columns});
+    level.columns.for_rows([&](std::uint32_t column) {
+      part_of<6>(level.coarse_right, column) =
+          column_times(level.prolongator, level.by_column, column, level.left);
+    });
+    level.columns.template gather<6>(level.coarse_right);
     solve_coarse(level.coarse_right, level.coarse_x);
-    multiply(level.prolongator, level.coarse_x, level.left);
-    x += level.left;
+    rows.for_rows(
+        [&](std::uint32_t row) { part_of<N>(x, row) += row_times(level.prolongator, row, level.coarse_x); });
+    rows.template gather<N>(x);
   }
   level.smoother.smooth(matrix, right, false, x);
 }
 
 }  // namespace
 
-Multigrid::Multigrid(const BlockMatrix<3, 3>& matrix, const Modes& modes) : matrix_(matrix) {
+Multigrid::Multigrid(const BlockMatrix<3, 3>& matrix, const Modes& modes, Ranks& ranks) : matrix_(matrix) {
   Modes of_level = modes;
   BlockMatrix<6, 6> coarse;
   double threshold = finest_threshold;
-  if (!coarsen(matrix_, threshold, of_level, finest_, coarse)) return;
+  if (!coarsen(matrix_, threshold, ranks, of_level, finest_, coarse)) return;
   coarse_modes_ = of_level;
   matrices_.push_back(std::move(coarse));
   while (matrices_.back().n_rows() > coarsest_size) {
     threshold *= 0.5;
     coarser_.emplace_back();
-    if (!coarsen(matrices_.back(), threshold, of_level, coarser_.back(), coarse)) return;
+    if (!coarsen(matrices_.back(), threshold, ranks, of_level, coarser_.back(), coarse)) return;
     matrices_.push_back(std::move(coarse));
   }
   coarsest_ = CoarsestGrid(to_dense(matrices_.back()));

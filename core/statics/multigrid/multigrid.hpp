@@ -13,18 +13,20 @@ struct GridLevel {
   Chebyshev<N> smoother;
   BlockMatrix<N, 6> prolongator;                         ///< without columns where there is no next level
   ColumnPlaces by_column;                                ///< of the prolongator
+  RowShare columns;                                      ///< of it that are worked out here
   mutable Eigen::VectorXd left, coarse_right, coarse_x;  ///< of the current cycle
 };
 
 /// One V-cycle of smoothed aggregation: near the inverse of a stiffness at a cost that grows with its size
-/// alone. Symmetric, and positive where the stiffness is. The same bits for any number of threads.
+/// alone. Symmetric, and positive where the stiffness is. The same bits for any number of threads and ranks.
 /// Source: Vanek, Mandel and Brezina, Computing 56 (1996) 179-196.
 class Multigrid final : public Preconditioner {
  public:
-  /// Sets up the levels.
+  /// Sets up the levels. All ranks call it, and apply(), alike: they share the products of large levels.
   ///   matrix  symmetric, must outlive it; rows of nodes without elements are empty
   ///   modes   [3 n_rows x 6] motions that cost next to no energy, 0 along held directions
-  Multigrid(const BlockMatrix<3, 3>& matrix, const Modes& modes);
+  ///   ranks   must outlive it
+  Multigrid(const BlockMatrix<3, 3>& matrix, const Modes& modes, Ranks& ranks = one_rank());
 
   void apply(const Eigen::VectorXd& residual, Eigen::VectorXd& z) const override;
 

@@ -30,12 +30,17 @@ TEST_CASE("what a ramped overlap puts in is neither held by contact nor lost", "
 
 TEST_CASE("the log says in a line how ranks share a run and what the busiest sends", "[app][report]") {
   const RankTraffic traffic{64, 0.125, 0.034, 800, 63, 72000000, 150000000};
-  const std::string line = format_ranks(traffic);
+  const std::string line = format_ranks(traffic, false);
   CHECK(line ==
         "  64 ranks: 12.5 % of the nodes shared, the busiest has 3.4 % more elements and sends 72000000 "
         "bytes to 63 "
         "a step\n");
   CHECK(line.size() < 120);  // longer ones are wrapped
+  const std::string of_trials = format_ranks(traffic, true);
+  CHECK(of_trials ==
+        "  64 ranks: the busiest has 3.4 % more elements and sends 72000000 bytes to 63 a trial, all get "
+        "800\n");
+  CHECK(of_trials.size() < 120);
 }
 
 TEST_CASE("the log says what is subcycled, and what that saves", "[app][report][subcycler]") {

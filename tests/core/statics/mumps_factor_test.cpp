@@ -49,6 +49,22 @@ TEST_CASE("MUMPS has the same bits for any number of threads, and again", "[core
   }
 }
 
+TEST_CASE("many equations, which Scotch orders, have the same bits again, whatever was factorised before",
+          "[core][statics]") {
+  if (!has_mumps()) return;
+  const Eigen::VectorXd right = Eigen::ArrayXd::LinSpaced(110 * 110, 0.0, 70.0).sin();
+  for (const bool is_symmetric : {true, false}) {
+    std::vector<Eigen::VectorXd> found;
+    for (int i = 0; i < 4; ++i) {
+      const auto factor = make_mumps_factor(is_symmetric);
+      if (i == 2) REQUIRE(factor->factorise(net(120, is_symmetric)));
+      REQUIRE(factor->factorise(net(110, is_symmetric)));
+      found.push_back(factor->solve(right));
+      CHECK(found.back() == found.front());
+    }
+  }
+}
+
 TEST_CASE("MUMPS tells a singular matrix, and takes the next one of another size", "[core][statics]") {
   if (!has_mumps()) return;
   for (const bool is_symmetric : {true, false}) {

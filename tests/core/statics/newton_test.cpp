@@ -61,6 +61,20 @@ class Divider final : public Preconditioner {
   Eigen::Array2d of{1.0, 2.0};
 };
 
+/// A spring that is pulled, and a rotation that has neither inertia nor moments.
+class SpringAndTurn final : public Equilibrium {
+ public:
+  bool evaluate(const Eigen::VectorXd& increment, Eigen::VectorXd& residual) override {
+    residual = Eigen::Vector2d(3.0 - 1.0 * increment(0), 0.0);
+    return true;
+  }
+  double reference() const override { return 3.0; }
+  double probe_factor(const Eigen::VectorXd& direction) const override {
+    return 1e-7 / direction.cwiseAbs().maxCoeff();
+  }
+  Eigen::VectorXd scales(Eigen::Index /*size*/) const override { return Eigen::Vector2d(1.0, 0.0); }
+};
+
 CgSettings slider_settings(double target) {
   CgSettings settings;
   settings.target_relative_residual = target;
@@ -125,4 +139,14 @@ TEST_CASE("a prediction by a step of Newton's balances what is prescribed", "[co
   const std::int64_t n = predict_by_newton(slider, linearised, Eigen::Vector2d(0.5, 0.0), increment);
   CHECK(n == slider.n_evaluations);
   CHECK((increment - Eigen::Vector2d(3.0, -0.5)).norm() < 1e-5);
+}
+
+TEST_CASE("rotations without inertia stay numbers", "[core][statics]") {
+  SpringAndTurn equilibrium;
+  Divider divider;
+  LinearisedEquilibrium linearised(equilibrium, divider, [&](const Eigen::VectorXd&, bool) {});
+  Eigen::VectorXd increment = Eigen::VectorXd::Zero(2);
+  CHECK(newton(equilibrium, linearised, slider_settings(1e-10), increment).end == CgReport::End::converged);
+  CHECK(increment(0) == Approx(3.0));
+  CHECK(increment(1) == 0.0);
 }

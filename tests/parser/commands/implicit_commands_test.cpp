@@ -84,6 +84,7 @@ TEST_CASE("equation solvers are chosen by the deck or by the model", "[parser][i
   CHECK(solver_of(with_solver("")) == LinearSolver::automatic);
   CHECK(solver_of(with_solver("linear solver = auto\n")) == LinearSolver::automatic);
   CHECK(solver_of(with_solver("linear solver = direct\n")) == LinearSolver::direct);
+  CHECK(solver_of(with_solver("linear solver = distributed\n")) == LinearSolver::distributed);
   const ParsedDeck of_sierra = with_solver("linear solver = gdsw\n");
   CHECK(solver_of(of_sierra) == LinearSolver::automatic);
   CHECK(of_sierra.messages ==

@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "core/statics/multigrid/block_product.hpp"
 
+#include "support/block_products.hpp"
 #include "support/catch.hpp"
 
 using namespace contactsim;
+using contactsim::test::multiply;
+using contactsim::test::multiply_transposed;
 
 namespace {
 

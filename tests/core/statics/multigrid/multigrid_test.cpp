@@ -3,8 +3,10 @@
 
 #include <omp.h>
 
+#include "support/block_products.hpp"
 #include "support/catch.hpp"
 #include "support/elastic_grid.hpp"
+#include "support/thread_ranks.hpp"
 
 using namespace contactsim;
 using namespace contactsim::test;
@@ -119,6 +121,23 @@ TEST_CASE("a V-cycle has the same bits with one thread and two", "[core][statics
   omp_set_num_threads(n_threads);
   CHECK(threads_for(matrix.n_blocks()) == std::min(n_threads, 9));
   CHECK(x[0] == x[1]);
+}
+
+TEST_CASE("ranks that share the rows of a V-cycle have the bits of one process", "[core][statics]") {
+  const ElasticGrid grid{.cells = {14, 14, 14}};
+  const BlockMatrix<3, 3> matrix = grid.stiffness();
+  Eigen::VectorXd alone;
+  const Multigrid of_one(matrix, grid.modes());
+  of_one.apply(grid.load(), alone);
+  for (const int count : {2, 3, 7}) {
+    CAPTURE(count);
+    std::vector<Eigen::VectorXd> x(static_cast<std::size_t>(count));
+    ThreadRanks(count).run([&](Ranks& ranks) {
+      const Multigrid multigrid(matrix, grid.modes(), ranks);
+      multigrid.apply(grid.load(), x[static_cast<std::size_t>(ranks.rank())]);
+    });
+    for (const Eigen::VectorXd& of_rank : x) CHECK(of_rank == alone);
+  }
 }
 
 TEST_CASE("nodes without elements stay where they are", "[core][statics]") {
