@@ -92,7 +92,8 @@ TEST_CASE("equation solvers are chosen by the deck or by the model", "[parser][i
         "SOLVER = "
         "AUTO says so; AMG and DIRECT choose [deck-ignored]\n");
   CHECK(with_solver("linear solver = agm\n").messages ==
-        "a.i:8:17: error: expected one of auto, amg, direct, feti, gdsw, tpetra for 'linear solver', found "
+        "a.i:8:17: error: expected one of auto, amg, direct, distributed, feti, gdsw, tpetra for 'linear "
+        "solver', found "
         "'agm'; did you mean "
         "'amg'?\n");
 }
