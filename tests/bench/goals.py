@@ -9,9 +9,10 @@ BUILD is a folder that was built with CONTACTSIM_BENCH=ON, build/bench. Absolute
 here. How near kernels come to the least time that their bytes, operations, divisions and stores allow stands at the end, by the
 operations in operations.txt; `--count` counts those anew first, which takes minutes where stopping after every instruction is
 slow, and it has to follow changes of a kernel. Parts that can be left out:
-impact, search, skin, heap, program.
+impact, search, skin, heap, program, large.
 """
 import argparse
+import multiprocessing
 import os
 import resource
 import subprocess
@@ -32,7 +33,7 @@ FUSED_OF_GOALS = 58.6e9
 LIMITS = ["memory", "flops", "divisions", "loads", "stores"]
 OPERATIONS = HERE / "operations.txt"
 OPERATIONS_HEAD = "# What one thread executes per element, node or face in a step: goals.py --count, operation_count.hpp.\n"
-PARTS = ["impact", "search", "skin", "heap", "program"]
+PARTS = ["impact", "search", "skin", "heap", "program", "large"]
 # What is told, kernel, goal on the machine above: million items a second, or nanoseconds an item.
 RATES = [("HEX8 elastic, whole step", "whole_step", 14), ("HEX8 elastic-plastic", "hex8_plastic", 13),
          ("HEX8 selective deviatoric", "hex8_selective", 6), ("HEX8 Johnson-Cook", "hex8_johnson_cook", 8),
@@ -68,6 +69,16 @@ CUBE = "begin sierra cube\n" + heap.STEEL + """ begin finite element model cube
   end
  end
 end
+"""
+
+
+CONTACT_OF_SKIN = """   begin contact definition skin
+    skin all blocks = on
+    begin interaction defaults
+     general contact = on
+     self contact = on
+    end
+   end
 """
 
 
@@ -203,14 +214,40 @@ def least_seconds(command, folder, repeats=20):
     return least
 
 
+def write_cube(n, path):
+    mesh = MeshMaker()
+    mesh.hexes("cube", (0, 0, 0), (1, 1, 1), (n, n, n))
+    mesh.write(path)
+
+
 def tell_program(program, scale, table):
     with tempfile.TemporaryDirectory() as folder:
-        mesh = MeshMaker()
-        mesh.hexes("cube", (0, 0, 0), (1, 1, 1), (1, 1, 1))
-        mesh.write(Path(folder) / "cube.g")
+        write_cube(1, Path(folder) / "cube.g")
         (Path(folder) / "cube.i").write_text(CUBE)
         table.row("--check of a unit cube, computed", 15 / scale, 1e3 * least_seconds([program, "cube.i", "--check"], folder), "ms", False)
         table.row("100 steps of one element, computed", 30 / scale, 1e3 * least_seconds([program, "cube.i"], folder), "ms", False)
+
+
+def tell_large(program, scale, table):
+    """1,000,000 hexahedra whose skin is in contact, for some steps: memory at the peak, and time before the first step."""
+    n = 100
+    before = "   begin solution termination\n"
+    with tempfile.TemporaryDirectory() as folder:
+        # In a process of its own: the memory of this one would count as the program's.
+        maker = multiprocessing.Process(target=write_cube, args=(n, Path(folder) / "cube.g"))
+        maker.start()
+        maker.join()
+        (Path(folder) / "cube.i").write_text(CUBE.replace(before, CONTACT_OF_SKIN + before).replace(">= 100", ">= 3"))
+        begun = time.monotonic()
+        run = subprocess.Popen([program, "cube.i"], cwd=folder, stdout=subprocess.PIPE, text=True,
+                               env=os.environ | {"OMP_NUM_THREADS": "1"})
+        steps = heap.number(r"\n  whole run +([\d.]+) s", run.stdout.read())
+        _, status, used = os.wait4(run.pid, 0)
+        seconds = time.monotonic() - begun - steps
+    if status != 0:
+        sys.exit(f"1,000,000 hexahedra: status {status}")
+    table.row("1,000,000 hexahedra in contact, memory", 500, 1024 * used.ru_maxrss / n ** 3, "bytes each", False)
+    table.row("the same, before its first step", 1.5 / scale, seconds, "s", False)
 
 
 def main():
@@ -244,6 +281,8 @@ def main():
         tell_heaps(program, arguments.rounds, scale, table)
     if "program" in parts:
         tell_program(program, scale, table)
+    if "large" in parts:
+        tell_large(program, scale, table)
     tell_rooflines(with_operations(found), limits)
     print(f"\n{table.missed} goals are missed.")
 
