@@ -37,10 +37,10 @@ LARGE = (12, 10, 0.5, 12)
 
 
 def stiffened_bar():
-    """A bar of 2 chunks, a sheet on its top, and a spring."""
+    """A bar, a sheet on its top, and a spring: of so many elements that two ranks share them."""
     mesh = MeshMaker()
-    mesh.hexes("bar", (0, 0, 0), (6, 1, 1), (16, 8, 8))
-    mesh.shells("sheet", (0, 0, 1), (6, 1), (16, 8), 0.05)
+    mesh.hexes("bar", (0, 0, 0), (6, 1, 1), (22, 12, 12))
+    mesh.shells("sheet", (0, 0, 1), (6, 1), (22, 12), 0.05)
     mesh.lines("stay", (6, 0.5, 1), (6, 0.5, 2), 1, "BAR2")
     mesh.node_set("clamped", lambda x, y, z: x == 0)
     mesh.node_set("ground", lambda x, y, z: z == 2)
