@@ -134,13 +134,6 @@ void StaticBodies::gather_at_start(Eigen::VectorXd& forces) const {
   gather(start_, turns, forces);
 }
 
-Eigen::Vector3d StaticBodies::force_at(NodeIndex node) const {
-  const NodalForces& forces = state_.forces;
-  Eigen::Vector3d sum = forces.internal.col(node.value) + forces.external.col(node.value);
-  if (forces.contact.cols() > 0) sum += forces.contact.col(node.value);
-  return sum;
-}
-
 void StaticBodies::note_forces(const std::vector<FreeDirections>& free) {
   const NodalForces& moments = state_.rotations.moments;
   for (std::uint32_t i = 0; i < size(); ++i) {
@@ -148,7 +141,7 @@ void StaticBodies::note_forces(const std::vector<FreeDirections>& free) {
     moving.force.setZero();
     moving.moment.setZero();
     for (const NodeIndex node : body(i).nodes) {
-      const Eigen::Vector3d force = force_at(node);
+      const Eigen::Vector3d force = state_.forces.at(node.value);
       moving.force += force;
       moving.moment += Eigen::Vector3d(state_.coordinates.col(node.value) - moving.position).cross(force);
       if (!state_.rotations.exist()) continue;
@@ -182,7 +175,7 @@ std::vector<Carrier> StaticBodies::carriers(std::uint32_t node, bool turns) cons
 Eigen::Matrix3d StaticBodies::turning_stiffness(std::uint32_t i) const {
   Eigen::Matrix3d sum = Eigen::Matrix3d::Zero();
   for (const NodeIndex node : body(i).nodes) {
-    const Eigen::Vector3d force = force_at(node);
+    const Eigen::Vector3d force = state_.forces.at(node.value);
     const Eigen::Vector3d arm = state_.coordinates.col(node.value) - state_.rigid[i].position;
     const Eigen::Matrix3d product = arm * force.transpose();
     sum += product.trace() * Eigen::Matrix3d::Identity() - 0.5 * (product + product.transpose());

@@ -86,7 +86,6 @@ class StaticBodies {
  private:
   void gather(const std::vector<RigidBodyState>& bodies, const std::vector<Eigen::Matrix3d>& turns,
               Eigen::VectorXd& forces) const;
-  Eigen::Vector3d force_at(NodeIndex node) const;
 
   const Model& model_;
   State& state_;
