@@ -72,7 +72,6 @@ std::vector<NodeIndex> nodes_everywhere(const RunInput& input, const Setup& setu
   return nodes;
 }
 
-/// In load steps all ranks get the forces of all nodes, whichever of them they follow.
 /// A trial of few elements takes no longer than its messages, of which there are thousands in a load step:
 /// blocks of 3,456 hexahedra took as long on two ranks as on one.
 bool are_load_steps_shared(Ranks& ranks, const RunInput& input) {
@@ -82,6 +81,7 @@ bool are_load_steps_shared(Ranks& ranks, const RunInput& input) {
          input.mesh.n_elements() >= least_elements_a_rank * static_cast<std::size_t>(ranks.count());
 }
 
+/// In load steps all ranks get the forces of all nodes, whichever of them they follow.
 std::unique_ptr<RankShare> make_share(Ranks& ranks, const RunInput& input, const Setup& setup,
                                       const RunContact* contact) {
   if (!ranks.are_several()) return nullptr;
