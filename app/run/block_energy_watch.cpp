@@ -40,7 +40,7 @@ double elastic_energy(const ModelBlock& block, const ModelBlockState& state) {
       density += contract(spread, spread) / (4.0 * moduli.shear) + mean * mean / (2.0 * moduli.bulk);
     }
     const auto n_used = std::min<std::size_t>(n_lanes, block.n_elements - batch * n_lanes);
-    sum += (density * block.mass[batch]).head(static_cast<Eigen::Index>(n_used)).sum();
+    sum += (density * block.mass[batch]).sum_of_first(n_used);
   }
   return sum / (block.properties.density * static_cast<double>(layout.n_points));
 }

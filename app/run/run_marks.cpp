@@ -26,8 +26,7 @@ class Fingerprint {
   }
   void add(double number) { digest_.add_values(std::span<const double>(&number, 1)); }
   void add(const std::vector<Lanes>& numbers) {
-    for (const Lanes& batch : numbers)
-      digest_.add_values(std::span<const double>(batch.data(), static_cast<std::size_t>(batch.size())));
+    for (const Lanes& batch : numbers) digest_.add_values(std::span<const double>(batch.data(), n_lanes));
   }
   std::uint64_t value() const { return digest_.value(); }
 

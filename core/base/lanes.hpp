@@ -2,79 +2,130 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <array>
+#include <bit>
+#include <cstdint>
+#include <cstring>
 
+/// Numbers of eight elements at a time, in the compiler's vectors: one register of AVX-512, two of AVX, four of
+/// SSE. Members have the names that Eigen's arrays give them. Operations of lanes are IEEE's on every processor.
 namespace contactsim {
 
 /// Element kernels and material laws work on this many elements at a time, one per lane.
 inline constexpr int n_lanes = 8;
 
-/// One number of each element.
-using Lanes = Eigen::Array<double, n_lanes, 1>;
+class Lanes;
 
 /// Which elements something holds for.
-using LaneMask = Eigen::Array<bool, n_lanes, 1>;
+class LaneMask {
+ public:
+  /// All bits of a lane, or none.
+  using Vector [[gnu::vector_size(n_lanes * sizeof(double))]] = std::int64_t;
 
-/// A vector at each of the n nodes of eight elements: [component][node].
-template <std::size_t n>
-using NodeVectors = std::array<std::array<Lanes, n>, 3>;
-
-/// A tensor of each element, [i][j].
-using TensorLanes = std::array<std::array<Lanes, 3>, 3>;
-
-/// A symmetric tensor of each element: xx, yy, zz, xy, yz, zx.
-struct SymmetricLanes {
-  std::array<Lanes, 6> components;
-
-  static SymmetricLanes zero() {
-    SymmetricLanes tensor;
-    for (Lanes& component : tensor.components) component.setZero();
-    return tensor;
+  LaneMask() = default;
+  LaneMask(const Vector& lanes) : lanes_(lanes) {}
+  explicit LaneMask(bool holds) : lanes_(Vector{} - (holds ? 1 : 0)) {}
+  /// From the lowest bits, one of each lane.
+  static LaneMask of_bits(unsigned bits) {
+    constexpr Vector places{1, 2, 4, 8, 16, 32, 64, 128};
+    return {((Vector{} + bits) & places) != 0};
   }
-  Lanes& operator[](std::size_t i) { return components[i]; }
-  const Lanes& operator[](std::size_t i) const { return components[i]; }
+
+  friend LaneMask operator&&(const LaneMask& a, const LaneMask& b) { return {a.lanes_ & b.lanes_}; }
+  friend LaneMask operator||(const LaneMask& a, const LaneMask& b) { return {a.lanes_ | b.lanes_}; }
+  friend LaneMask operator!(const LaneMask& a) { return {~a.lanes_}; }
+  bool operator()(Eigen::Index lane) const { return lanes_[lane] != 0; }
+  bool any() const { return bytes() != 0; }
+  bool all() const { return bytes() == ~std::uint64_t{0}; }
+  Eigen::Index count() const { return std::popcount(bytes()) / 8; }
+  /// The one where it holds, the other elsewhere.
+  Lanes select(const Lanes& where_it_holds, const Lanes& elsewhere) const;
+
+ private:
+  using Bytes [[gnu::vector_size(n_lanes)]] = std::int8_t;
+  std::uint64_t bytes() const { return std::bit_cast<std::uint64_t>(__builtin_convertvector(lanes_, Bytes)); }
+
+  Vector lanes_;
 };
 
-/// Where component ij of a symmetric tensor stands.
-inline constexpr std::size_t symmetric_place[3][3] = {{0, 3, 5}, {3, 1, 4}, {5, 4, 2}};
+/// One number of each element.
+class Lanes {
+ public:
+  using Vector [[gnu::vector_size(n_lanes * sizeof(double))]] = double;
+  using EigenArray = Eigen::Array<double, n_lanes, 1>;
 
-inline Lanes trace(const SymmetricLanes& a) { return a[0] + a[1] + a[2]; }
+  Lanes() = default;
+  Lanes(double number) : lanes_(Vector{} + number) {}
+  Lanes(const Vector& lanes) : lanes_(lanes) {}
+  template <class Derived>
+  Lanes(const Eigen::ArrayBase<Derived>& array) {
+    const EigenArray numbers = array;
+    std::memcpy(&lanes_, numbers.data(), sizeof lanes_);
+  }
+  static Lanes Zero() { return 0.0; }
+  static Lanes Ones() { return 1.0; }
+  static Lanes Constant(double number) { return number; }
+  void setZero() { *this = 0.0; }
+  void setConstant(double number) { *this = number; }
 
-/// The double contraction a : b, the off-diagonal components counted twice.
-inline Lanes contract(const SymmetricLanes& a, const SymmetricLanes& b) {
-  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2] + 2.0 * (a[3] * b[3] + a[4] * b[4] + a[5] * b[5]);
+  Lanes& operator+=(const Lanes& b) { return *this = *this + b; }
+  Lanes& operator-=(const Lanes& b) { return *this = *this - b; }
+  Lanes& operator*=(const Lanes& b) { return *this = *this * b; }
+  Lanes& operator/=(const Lanes& b) { return *this = *this / b; }
+  friend Lanes operator+(const Lanes& a, const Lanes& b) { return {a.lanes_ + b.lanes_}; }
+  friend Lanes operator-(const Lanes& a, const Lanes& b) { return {a.lanes_ - b.lanes_}; }
+  friend Lanes operator*(const Lanes& a, const Lanes& b) { return {a.lanes_ * b.lanes_}; }
+  friend Lanes operator/(const Lanes& a, const Lanes& b) { return {a.lanes_ / b.lanes_}; }
+  friend Lanes operator-(const Lanes& a) { return {-a.lanes_}; }
+  friend LaneMask operator<(const Lanes& a, const Lanes& b) { return {a.lanes_ < b.lanes_}; }
+  friend LaneMask operator>(const Lanes& a, const Lanes& b) { return {a.lanes_ > b.lanes_}; }
+  friend LaneMask operator<=(const Lanes& a, const Lanes& b) { return {a.lanes_ <= b.lanes_}; }
+  friend LaneMask operator>=(const Lanes& a, const Lanes& b) { return {a.lanes_ >= b.lanes_}; }
+  friend LaneMask operator==(const Lanes& a, const Lanes& b) { return {a.lanes_ == b.lanes_}; }
+  friend LaneMask operator!=(const Lanes& a, const Lanes& b) { return {a.lanes_ != b.lanes_}; }
+
+  /// As std::min and std::max: this one where neither is less.
+  Lanes min(const Lanes& b) const { return {b.lanes_ < lanes_ ? b.lanes_ : lanes_}; }
+  Lanes max(const Lanes& b) const { return {lanes_ < b.lanes_ ? b.lanes_ : lanes_}; }
+  Lanes abs() const { return eigen().abs(); }
+  Lanes sqrt() const { return eigen().sqrt(); }
+  Lanes exp() const { return eigen().exp(); }
+  Lanes log() const { return eigen().log(); }
+  Lanes cos() const { return eigen().cos(); }
+  Lanes acos() const { return eigen().acos(); }
+  Lanes pow(double exponent) const { return eigen().pow(exponent); }
+  double sum() const {
+    const Lanes& a = *this;
+    return ((a(0) + a(4)) + (a(1) + a(5))) + ((a(2) + a(6)) + (a(3) + a(7)));
+  }
+  /// Of the first n.
+  double sum_of_first(std::size_t n) const {
+    if (n == n_lanes) return sum();
+    double sum = 0.0;
+    for (std::size_t lane = 0; lane < n; ++lane) sum += data()[lane];
+    return sum;
+  }
+  double minCoeff() const { return eigen().minCoeff(); }
+  double maxCoeff() const { return eigen().maxCoeff(); }
+
+  double operator()(Eigen::Index lane) const { return lanes_[lane]; }
+  double& operator()(Eigen::Index lane) { return data()[lane]; }
+  double* data() { return reinterpret_cast<double*>(&lanes_); }
+  const double* data() const { return reinterpret_cast<const double*>(&lanes_); }
+  /// The same numbers for what is not here.
+  Eigen::Map<const EigenArray, Eigen::Aligned64> eigen() const {
+    return Eigen::Map<const EigenArray, Eigen::Aligned64>(data());
+  }
+  const Vector& vector() const { return lanes_; }
+
+ private:
+  Vector lanes_;
+};
+
+inline Lanes LaneMask::select(const Lanes& where_it_holds, const Lanes& elsewhere) const {
+  return {lanes_ ? where_it_holds.vector() : elsewhere.vector()};
 }
 
-/// Sum of a_k b_k.
-template <std::size_t n>
-Lanes dot(const std::array<Lanes, n>& a, const std::array<Lanes, n>& b) {
-  Lanes sum = a[0] * b[0];
-  for (std::size_t k = 1; k < n; ++k) sum += a[k] * b[k];
-  return sum;
-}
-
-/// A A^T of vectors at nodes, or of a tensor.
-template <std::size_t n>
-SymmetricLanes squares(const NodeVectors<n>& a) {
-  return {
-      {dot(a[0], a[0]), dot(a[1], a[1]), dot(a[2], a[2]), dot(a[0], a[1]), dot(a[1], a[2]), dot(a[2], a[0])}};
-}
-
-/// The tensor less a third of its trace on the diagonal.
-inline SymmetricLanes deviator(SymmetricLanes a) {
-  const Lanes mean = trace(a) / 3.0;
-  for (std::size_t i = 0; i < 3; ++i) a[i] -= mean;
-  return a;
-}
-
-/// F a F^T: a as a rotation turns it, or a deformation carries it along.
-SymmetricLanes transformed(const SymmetricLanes& a, const TensorLanes& f);
-
-/// At least the largest eigenvalue, which lies at most sqrt(2/3) times the deviator's norm above the mean;
-/// at most the trace of a tensor without negative ones.
-inline Lanes bound_of_eigenvalues(const SymmetricLanes& a) {
-  const SymmetricLanes spread = deviator(a);
-  return trace(a) / 3.0 + (2.0 / 3.0 * contract(spread, spread)).sqrt();
-}
+/// The lanes before one.
+inline LaneMask first_lanes(std::size_t n) { return LaneMask::of_bits((1u << n) - 1u); }
 
 }  // namespace contactsim

@@ -73,9 +73,9 @@ void leave_out_rigid(const ElementDeath& death, const ConditionScope& scope, con
 void mark_inverting(std::span<const ElementIndex> elements, Model& model) {
   for (const ElementIndex element : elements) {
     ModelBlock& block = model.blocks[find_model_block(model, element)];
-    block.dies_inverted.resize(block.n_batches(), LaneMask::Constant(false));
+    block.dies_inverted.resize(block.n_batches(), 0);
     const std::size_t i = element.value - block.first_element.value;
-    block.dies_inverted[i / n_lanes](static_cast<Eigen::Index>(i % n_lanes)) = true;
+    block.dies_inverted[i / n_lanes] |= static_cast<std::uint8_t>(1u << i % n_lanes);
   }
 }
 

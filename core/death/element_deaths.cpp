@@ -52,8 +52,8 @@ void ElementDeaths::begin(State& state) {
       std::vector<Lanes>& life = state.blocks[b].life;
       if (!life.empty()) continue;
       life.resize(block.n_batches(), Lanes::Constant(1.0));
-      const auto n_used = static_cast<Eigen::Index>(block.n_elements - (block.n_batches() - 1) * n_lanes);
-      life.back().tail(n_lanes - n_used).setZero();
+      const std::size_t n_used = block.n_elements - (block.n_batches() - 1) * n_lanes;
+      life.back() = first_lanes(n_used).select(life.back(), 0.0);
     }
   }
   for (std::size_t b = 0; b < model_.blocks.size(); ++b) {

@@ -129,7 +129,7 @@ std::optional<ModelBlock> DiscreteReader::read(const SpringSection& s) const {
   auto block = make("spring", s.mass_per_unit_length.value_or(0.0) / area, area);
   if (!block) return std::nullopt;
   for (const Lanes& mass : block->mass) {
-    if (!mass.allFinite()) return fail(" has springs whose mass is not finite");
+    if (!mass.eigen().isFinite().all()) return fail(" has springs whose mass is not finite");
   }
   block->discrete.stiffness.assign(block->n_batches(), Lanes::Constant(s.default_stiffness.value_or(0.0)));
   if (s.force_strain_function && !set_function(s, *block)) return std::nullopt;

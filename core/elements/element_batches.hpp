@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 #include "core/elements/element_death_mask.hpp"
@@ -38,17 +39,24 @@ inline ChunkStep no_step() {
   return {infinity, 0, infinity, 0.0, 0.0};
 }
 
-/// What the lanes in use have for the extremes.
+/// What the first lanes, those in use, have for the extremes. A volume that is no number is one.
 inline void add_extremes(const Lanes& stable_step, const Lanes& volumes, std::size_t first_element,
-                         Eigen::Index n_used, ChunkStep& sums) {
-  Eigen::Index lane = 0;
-  const double stable = stable_step.head(n_used).minCoeff(&lane);
-  if (stable < sums.stable_step) {
-    sums.stable_step = stable;
-    sums.critical_element = first_element + static_cast<std::size_t>(lane);
+                         std::size_t n_used, ChunkStep& sums) {
+  const LaneMask is_used = first_lanes(n_used);
+  if ((is_used && stable_step < sums.stable_step).any()) {
+    for (std::size_t lane = 0; lane < n_used; ++lane) {
+      const double stable = stable_step.data()[lane];
+      if (!(stable < sums.stable_step)) continue;
+      sums.stable_step = stable;
+      sums.critical_element = first_element + lane;
+    }
   }
-  const double volume = volumes.head(n_used).minCoeff();
-  if (!(volume >= sums.min_volume)) sums.min_volume = volume;
+  if ((is_used && !(volumes >= sums.min_volume)).any()) {
+    for (std::size_t lane = 0; lane < n_used; ++lane) {
+      const double volume = volumes.data()[lane];
+      if (volume < sums.min_volume || std::isnan(volume)) sums.min_volume = volume;
+    }
+  }
 }
 
 /// Takes off what the dead and the dying do not give.
@@ -64,10 +72,10 @@ void apply_mask(ElementDeathMask& mask, std::span<Lanes> values, SolidStep<n>& s
 
 /// What the lanes in use add.
 template <std::size_t n>
-void add_lanes(const SolidStep<n>& step, std::size_t first_element, Eigen::Index n_used, ChunkStep& sums) {
+void add_lanes(const SolidStep<n>& step, std::size_t first_element, std::size_t n_used, ChunkStep& sums) {
   add_extremes(step.stable_step, step.volume, first_element, n_used, sums);
-  sums.hourglass_work += step.hourglass_work.head(n_used).sum();
-  sums.viscous_work += step.viscous_work.head(n_used).sum();
+  sums.hourglass_work += step.hourglass_work.sum_of_first(n_used);
+  sums.viscous_work += step.viscous_work.sum_of_first(n_used);
 }
 
 template <class Element>
@@ -105,7 +113,7 @@ ChunkStep advance(const ModelBlock& block, const BatchChunk& chunk, const Motion
     values.back() += step.stress_work;
     const auto n_used = std::min<std::size_t>(n_lanes, block.n_elements - i * n_lanes);
     scatter_add(step.force, nodes, n_used, forces);
-    add_lanes(step, i * n_lanes, static_cast<Eigen::Index>(n_used), sums);
+    add_lanes(step, i * n_lanes, n_used, sums);
   }
   return sums;
 }

@@ -26,8 +26,8 @@ class ElementDeathMask {
     is_mixed_ = !lives_.all();
     living_ = 0;
     while (!lives_(living_)) ++living_;
-    may_invert_.setConstant(false);
-    if (!block_.dies_inverted.empty()) may_invert_ = block_.dies_inverted[batch] && lives_;
+    may_invert_ = LaneMask(false);
+    if (!block_.dies_inverted.empty()) may_invert_ = LaneMask::of_bits(block_.dies_inverted[batch]) && lives_;
     return true;
   }
 
@@ -35,7 +35,7 @@ class ElementDeathMask {
   template <std::size_t n>
   void place(NodeVectors<n>& x) const {
     if (is_mixed_)
-      visit(x, [this](Lanes& values) { values = lives_.select(values, values(living_)).eval(); });
+      visit(x, [this](Lanes& values) { values = lives_.select(values, values(living_)); });
   }
   /// The dead do not move.
   template <std::size_t n>
@@ -88,7 +88,7 @@ class ElementDeathMask {
   bool is_on_, is_mixed_ = false;
   Lanes* now_ = nullptr;     // of the batch
   Eigen::Index living_ = 0;  // a lane that lives
-  LaneMask lives_ = LaneMask::Constant(true), may_invert_ = LaneMask::Constant(false);
+  LaneMask lives_{true}, may_invert_{false};
   std::vector<Lanes> kept_;
 };
 

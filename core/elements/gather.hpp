@@ -5,7 +5,7 @@
 #include <cstring>
 #include <span>
 
-#include "core/base/lanes.hpp"
+#include "core/base/tensor_lanes.hpp"
 
 /// Between nodes and lanes. The vectors of nodes stand in fours here, x y z and a number that means nothing,
 /// so that one load takes a vector and eight of them make three Lanes by shuffles alone.

@@ -50,8 +50,8 @@ struct ModelBlock {
   std::size_t n_elements = 0;
   ElementProperties properties;
   bool is_rigid = false;  ///< a part of a rigid body: it has no stress
-  /// [n_batches] which elements die when they turn inside out; empty when none does
-  std::vector<LaneMask> dies_inverted;
+  /// [n_batches] which elements die when they turn inside out, a bit each; empty when none does
+  std::vector<std::uint8_t> dies_inverted;
   std::string material;  ///< and its model, for people: "steel (elastic)"
   StateLayout layout;
   std::vector<BatchChunk> chunks;

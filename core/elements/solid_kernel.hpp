@@ -3,7 +3,7 @@
 
 #include <span>
 
-#include "core/base/lanes.hpp"
+#include "core/base/tensor_lanes.hpp"
 #include "core/elements/element_properties.hpp"
 
 /// What every kernel of a solid element takes and gives.

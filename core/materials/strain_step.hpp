@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "core/base/lanes.hpp"
+#include "core/base/tensor_lanes.hpp"
 
 namespace contactsim {
 

@@ -24,7 +24,7 @@ COMMON = (
     ("contact/mesh/contact_kinematics.hpp",),
     ("core/output/output_variables.hpp",),
     ("core/dynamics/model.hpp",),
-    ("core/base/lanes.hpp",),
+    ("core/base/tensor_lanes.hpp",),
     NUMBERS + ("Eigen/Geometry",),
     NUMBERS,
     TEXTS,

@@ -77,7 +77,7 @@ struct Cohesive {
   static void advance(const TractionLaw& law, const Lanes* area, const Lanes* thickness,
                       const NodeVectors<n_nodes>& x, std::span<Lanes> own, SolidStep<n_nodes>& step) {
     const MidFace<n> face(x);
-    LaneMask is_gone = LaneMask::Constant(true);
+    LaneMask is_gone(true);
     for (std::size_t a = 0; a < n; ++a) {
       const Vector d = way(x, a);
       const Lanes along = dot(face.normal, d);
@@ -138,14 +138,14 @@ ChunkStep advance_cohesive(const ModelBlock& block, const BatchChunk& chunk, con
     const CohesiveParts& parts = block.cohesive;
     Element::advance(parts.law, &parts.area[i * Element::n_pairs], &parts.thickness[i * Element::n_pairs], at,
                      values.first(block.layout.energy()).last(Element::n_own), step);
-    step.volume.setOnes();  // those without are no worse
+    step.volume.setConstant(1.0);  // those without are no worse
     step.stable_step = parts.stable_step[i];
     step.hourglass_work = step.viscous_work = Lanes::Zero();
     batches::apply_mask(mask, values, step);
     values.back() += step.stress_work;
     const auto n_used = std::min<std::size_t>(n_lanes, block.n_elements - i * n_lanes);
     scatter_add(step.force, nodes, n_used, forces);
-    batches::add_lanes(step, i * n_lanes, static_cast<Eigen::Index>(n_used), sums);
+    batches::add_lanes(step, i * n_lanes, n_used, sums);
   }
   return sums;
 }

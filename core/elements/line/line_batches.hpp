@@ -120,7 +120,7 @@ ChunkStep advance_lines(const ModelBlock& block, const BatchChunk& chunk, const 
         at_nodes[k] = {step.bend[k] - 0.5 * step.mean_moment[k], -step.bend[k] - 0.5 * step.mean_moment[k]};
       scatter_add(at_nodes, nodes, n_used, state.moments.data() + chunk.first_node);
     }
-    add_extremes(step.stable_step, step.volume, i * n_lanes, static_cast<Eigen::Index>(n_used), sums);
+    add_extremes(step.stable_step, step.volume, i * n_lanes, n_used, sums);
   }
   return sums;
 }

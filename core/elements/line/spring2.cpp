@@ -25,7 +25,8 @@ struct Spring {
     const Lanes& rest = parts.length[batch];
     if (!parts.force_of_strain) return parts.stiffness[batch] * (length - rest);
     Lanes force = length / rest - 1.0;
-    for (double& one : force) one = parts.force_of_strain->evaluate(one);
+    for (Eigen::Index lane = 0; lane < n_lanes; ++lane)
+      force(lane) = parts.force_of_strain->evaluate(force(lane));
     return force;
   }
 

@@ -34,10 +34,10 @@ void apply_mask(ElementDeathMask& mask, std::span<Lanes> values, ShellStep<n>& s
 
 /// What the lanes in use add.
 template <std::size_t n>
-void add_lanes(const ShellStep<n>& step, std::size_t first_element, Eigen::Index n_used, ChunkStep& sums) {
+void add_lanes(const ShellStep<n>& step, std::size_t first_element, std::size_t n_used, ChunkStep& sums) {
   add_extremes(step.stable_step, step.volume, first_element, n_used, sums);
-  sums.hourglass_work += step.hourglass_work.head(n_used).sum();
-  sums.viscous_work += step.viscous_work.head(n_used).sum();
+  sums.hourglass_work += step.hourglass_work.sum_of_first(n_used);
+  sums.viscous_work += step.viscous_work.sum_of_first(n_used);
 }
 
 /// Nodes that do not turn are as if they had endless inertia.
@@ -83,7 +83,7 @@ ChunkStep advance_shells(const ModelBlock& block, const BatchChunk& chunk, const
     const auto n_used = std::min<std::size_t>(n_lanes, block.n_elements - i * n_lanes);
     scatter_add(step.force, nodes, n_used, forces);
     if constexpr (Geometry::has_rotations) scatter_add(step.moment, nodes, n_used, moments);
-    add_lanes(step, i * n_lanes, static_cast<Eigen::Index>(n_used), sums);
+    add_lanes(step, i * n_lanes, n_used, sums);
   }
   return sums;
 }

@@ -3,7 +3,7 @@
 
 #include <utility>
 
-#include "core/base/lanes.hpp"
+#include "core/base/tensor_lanes.hpp"
 #include "core/mesh/topology.hpp"
 
 /// Volume gradients of elements from their faces: the volume is a third of the flux of the position, a sum

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "core/base/lanes.hpp"
+#include "core/base/tensor_lanes.hpp"
 
 /// The eight Gauss points of hexahedra, two along each natural coordinate, weights 1. Point p lies at
 /// +-1/sqrt(3) with the signs of its bits: bit 0 for xi, 1 for eta, 2 for zeta. Nodes stand in Exodus order.

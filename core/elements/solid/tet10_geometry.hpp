@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "core/base/lanes.hpp"
+#include "core/base/tensor_lanes.hpp"
 
 /// Ten-node tetrahedra as twelve linear ones: four at the corners, and eight around a point in the middle
 /// that is the mean of the midside nodes.

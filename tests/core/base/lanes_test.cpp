@@ -1,52 +1,88 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "core/base/lanes.hpp"
 
+#include <cmath>
+#include <limits>
+
 #include "support/catch.hpp"
 
 using namespace contactsim;
 
 namespace {
 
-SymmetricLanes tensor(const std::array<double, 6>& components) {
-  SymmetricLanes made;
-  for (std::size_t i = 0; i < 6; ++i) made[i].setConstant(components[i]);
-  return made;
-}
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
-TensorLanes matrix(const std::array<std::array<double, 3>, 3>& rows) {
-  TensorLanes made;
-  for (std::size_t i = 0; i < 3; ++i)
-    for (std::size_t j = 0; j < 3; ++j) made[i][j].setConstant(rows[i][j]);
-  return made;
+/// first, first + step, ...
+Lanes row(double first, double step) {
+  Lanes lanes;
+  for (Eigen::Index lane = 0; lane < n_lanes; ++lane) lanes(lane) = first + step * static_cast<double>(lane);
+  return lanes;
 }
 
 }  // namespace
 
-TEST_CASE("a deformation carries a symmetric tensor along as F a F^T", "[core][lanes]") {
-  const SymmetricLanes a = tensor({1.0, 2.0, 3.0, 4.0, 5.0, 6.0});
-  const TensorLanes f = matrix({{{1.0, 0.0, 0.0}, {0.0, 2.0, 0.0}, {1.0, 3.0, 2.0}}});
-  // xx 1, yy 4 * 2, zz (1, 3, 2) a (1, 3, 2) = 25 + 60 + 54 = 139
-  // xy 2 * 4, yz 2 * (4 + 3 * 2 + 2 * 5), zx 1 + 3 * 4 + 2 * 6
-  const SymmetricLanes carried = transformed(a, f);
-  const std::array<double, 6> expected{1.0, 8.0, 139.0, 8.0, 40.0, 25.0};
-  for (std::size_t i = 0; i < 6; ++i)
-    for (int lane = 0; lane < n_lanes; ++lane) CHECK(carried[i](lane) == expected[i]);
-}
-
-TEST_CASE("each lane is carried along by its own deformation", "[core][lanes]") {
-  SymmetricLanes a = tensor({1.0, 1.0, 1.0, 0.0, 0.0, 0.0});
-  TensorLanes f = matrix({{{1.0, 0.0, 0.0}, {0.0, 1.0, 0.0}, {0.0, 0.0, 1.0}}});
-  for (int lane = 0; lane < n_lanes; ++lane) f[0][0](lane) = lane;
-  const SymmetricLanes carried = transformed(a, f);
-  for (int lane = 0; lane < n_lanes; ++lane) {
-    CHECK(carried[0](lane) == lane * lane);
-    CHECK(carried[1](lane) == 1.0);
+TEST_CASE("lanes compute as numbers do, each for itself", "[core][lanes]") {
+  const Lanes a = row(1.0, 0.7), b = row(-2.0, 0.9);
+  const Lanes all[] = {a + b, a - b, a * b, a / b, -a, a.sqrt(), b.abs(), a.exp(), a.log(), a.cos(), 2.0 * a - 1.0};
+  for (Eigen::Index lane = 0; lane < n_lanes; ++lane) {
+    const double x = a(lane), y = b(lane);
+    const double exact[] = {x + y, x - y, x * y, x / y, -x, std::sqrt(x), std::fabs(y)};
+    for (std::size_t i = 0; i < 7; ++i) CHECK(all[i](lane) == exact[i]);
+    const double near[] = {std::exp(x), std::log(x), std::cos(x), 2.0 * x - 1.0};
+    for (std::size_t i = 0; i < 4; ++i) CHECK(all[7 + i](lane) == Approx(near[i]).epsilon(1e-15).margin(1e-15));
   }
 }
 
-TEST_CASE("no eigenvalue exceeds its bound, and two equal small ones reach it", "[core][lanes]") {
-  // 5, 1, 1: mean 7/3, deviator 8/3, -4/3, -4/3 of norm sqrt(96)/3, bound 7/3 + sqrt(2/3 * 96/9) = 5
-  CHECK(bound_of_eigenvalues(tensor({5.0, 1.0, 1.0, 0.0, 0.0, 0.0}))(0) == Approx(5.0));
-  // xy = 2 alone: eigenvalues 2, 0, -2, bound sqrt(2/3 * 8)
-  CHECK(bound_of_eigenvalues(tensor({0.0, 0.0, 0.0, 2.0, 0.0, 0.0}))(0) == Approx(std::sqrt(16.0 / 3.0)));
+TEST_CASE("the lesser and the greater lane are those of std::min and std::max, also of what is no number",
+          "[core][lanes]") {
+  const double numbers[] = {1.0, -1.0, 0.0, -0.0, nan, std::numeric_limits<double>::infinity()};
+  const auto is_same = [](double a, double b) {
+    return std::isnan(a) ? std::isnan(b) : a == b && std::signbit(a) == std::signbit(b);
+  };
+  for (const double x : numbers) {
+    for (const double y : numbers) {
+      CHECK(is_same(Lanes(x).min(y)(3), std::min(x, y)));
+      CHECK(is_same(Lanes(x).max(y)(3), std::max(x, y)));
+    }
+  }
+}
+
+TEST_CASE("masks hold where comparisons do, and nothing compares with what is no number", "[core][lanes]") {
+  Lanes a = row(0.0, 1.0);
+  a(6) = nan;
+  const LaneMask is_small = a < 3.0;
+  for (Eigen::Index lane = 0; lane < n_lanes; ++lane) {
+    CHECK(is_small(lane) == (lane < 3));
+    CHECK((!is_small)(lane) == (lane >= 3));
+    CHECK((a >= 3.0)(lane) == (lane >= 3 && lane != 6));
+    CHECK((a != a)(lane) == (lane == 6));
+    CHECK((is_small && a > 1.0)(lane) == (lane == 2));
+    CHECK((is_small || a == 7.0)(lane) == (lane < 3 || lane == 7));
+    CHECK(is_small.select(a, -1.0)(lane) == (lane < 3 ? static_cast<double>(lane) : -1.0));
+  }
+  CHECK(is_small.any());
+  CHECK_FALSE(is_small.all());
+  CHECK_FALSE((a < 0.0).any());
+  CHECK((a >= 0.0 || a != a).all());
+}
+
+TEST_CASE("masks are made of bits, the lowest for the first lane", "[core][lanes]") {
+  const LaneMask mask = LaneMask::of_bits(0b10000101);
+  for (Eigen::Index lane = 0; lane < n_lanes; ++lane) CHECK(mask(lane) == (lane == 0 || lane == 2 || lane == 7));
+  CHECK(LaneMask(true).all());
+  CHECK_FALSE(LaneMask(false).any());
+  for (std::size_t n = 0; n <= n_lanes; ++n) {
+    for (Eigen::Index lane = 0; lane < n_lanes; ++lane)
+      CHECK(first_lanes(n)(lane) == (static_cast<std::size_t>(lane) < n));
+  }
+}
+
+TEST_CASE("a sum of the first lanes leaves the others out, whatever they hold", "[core][lanes]") {
+  Lanes a = row(1.0, 1.0);
+  CHECK(a.sum() == 36.0);
+  CHECK(a.sum_of_first(8) == 36.0);
+  a(5) = nan;
+  CHECK(a.sum_of_first(5) == 15.0);
+  CHECK(a.sum_of_first(1) == 1.0);
+  CHECK(a.sum_of_first(0) == 0.0);
 }

@@ -53,9 +53,8 @@ TEST_CASE("a curve runs through its points and stays at the last", "[core][mater
 
 TEST_CASE("lanes climb a curve each as far as it may", "[core][materials]") {
   const HardeningCurve curve = curve_of({{0.0, 200.0}, {0.1, 250.0}, {0.3, 260.0}});
-  Lanes strain, limit;
-  strain << 0.0, 0.0, 0.0, 0.15, 0.15, 0.35, 0.02, 0.1;
-  limit << 0.05, 0.1, 9.0, 0.2, 9.0, 9.0, 0.3, 0.1;
+  const Lanes strain(Lanes::Vector{0.0, 0.0, 0.0, 0.15, 0.15, 0.35, 0.02, 0.1});
+  const Lanes limit(Lanes::Vector{0.05, 0.1, 9.0, 0.2, 9.0, 9.0, 0.3, 0.1});
   const auto place = curve.climb(curve.at(strain), [&](const HardeningCurve::Point& point) -> LaneMask {
     return point.strain <= limit;
   });

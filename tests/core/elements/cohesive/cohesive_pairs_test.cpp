@@ -19,7 +19,7 @@ struct Pair {
   /// Moves it; returns the work per area.
   double move(double open, double slide, bool is_gone = false) {
     cohesive::stretch(pair_law, Lanes::Constant(open), Lanes::Constant(slide), numbers);
-    return cohesive::pull(pair_law, LaneMask::Constant(is_gone), numbers)(3);
+    return cohesive::pull(pair_law, LaneMask(is_gone), numbers)(3);
   }
   double at(cohesive::Number number) const { return numbers[number](3); }
   double damage() const { return cohesive::damage(pair_law, numbers)(3); }

@@ -58,7 +58,9 @@ TEST_CASE("what slopes put on the nodes is the transpose of taking slopes", "[co
   std::uniform_real_distribution<double> number(-1.0, 1.0);
   NaturalSlopes amounts;
   for (auto& along : amounts) {
-    for (Lanes& amount : along) amount = Lanes::NullaryExpr([&] { return number(random); });
+    for (Lanes& amount : along) {
+      for (Eigen::Index lane = 0; lane < n_lanes; ++lane) amount(lane) = number(random);
+    }
   }
   std::array<Lanes, 8> added;
   added.fill(Lanes::Constant(1.0));

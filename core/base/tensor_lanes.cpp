@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "core/base/lanes.hpp"
+#include "core/base/tensor_lanes.hpp"
 
 namespace contactsim {
 
