@@ -38,9 +38,10 @@ inline Lanes contract(const SymmetricLanes& a, const SymmetricLanes& b) {
   return a[0] * b[0] + a[1] * b[1] + a[2] * b[2] + 2.0 * (a[3] * b[3] + a[4] * b[4] + a[5] * b[5]);
 }
 
-/// Sum of a_k b_k.
-template <std::size_t n>
-Lanes dot(const std::array<Lanes, n>& a, const std::array<Lanes, n>& b) {
+/// Sum of a_k b_k, over as many as a has.
+template <std::size_t n, std::size_t m>
+Lanes dot(const std::array<Lanes, n>& a, const std::array<Lanes, m>& b) {
+  static_assert(n <= m);
   Lanes sum = a[0] * b[0];
   for (std::size_t k = 1; k < n; ++k) sum += a[k] * b[k];
   return sum;
@@ -61,7 +62,19 @@ inline SymmetricLanes deviator(SymmetricLanes a) {
 }
 
 /// F a F^T: a as a rotation turns it, or a deformation carries it along.
-SymmetricLanes transformed(const SymmetricLanes& a, const TensorLanes& f);
+inline SymmetricLanes transformed(const SymmetricLanes& a, const TensorLanes& f) {
+  TensorLanes fa;
+  for (std::size_t i = 0; i < 3; ++i) {
+    fa[i] = {f[i][0] * a[0] + f[i][1] * a[3] + f[i][2] * a[5],
+             f[i][0] * a[3] + f[i][1] * a[1] + f[i][2] * a[4],
+             f[i][0] * a[5] + f[i][1] * a[4] + f[i][2] * a[2]};
+  }
+  const auto component = [&](std::size_t i, std::size_t j) -> Lanes {
+    return fa[i][0] * f[j][0] + fa[i][1] * f[j][1] + fa[i][2] * f[j][2];
+  };
+  return {
+      {component(0, 0), component(1, 1), component(2, 2), component(0, 1), component(1, 2), component(2, 0)}};
+}
 
 /// At least the largest eigenvalue, which lies at most sqrt(2/3) times the deviator's norm above the mean;
 /// at most the trace of a tensor without negative ones.

@@ -75,15 +75,15 @@ void add_bounds(const PointMap& map, const LaneModuli& moduli, PointSums& sums) 
   sums.shear = sums.shear.max(moduli.shear);
 }
 
-/// Adds what the stress at a point puts on the natural slopes of the motion.
-void add_natural_stress(const SymmetricLanes& stress, const PointMap& map, std::size_t point,
+/// Adds the forces of the stress at a point on the natural slopes of the motion.
+void add_forces_on_slopes(const SymmetricLanes& stress, const PointMap& map, std::size_t point,
                         VectorSlopes& amounts) {
   const auto& c = map.cofactors;
   for (std::size_t i = 0; i < 3; ++i) {
     const auto& place = symmetric_place[i];
     const Lanes &x = stress[place[0]], &y = stress[place[1]], &z = stress[place[2]];
     for (std::size_t j = 0; j < 3; ++j)
-      amounts[i][j][signs_at(point, j)] += x * c[0][j] + y * c[1][j] + z * c[2][j];
+      amounts[i][j][signs_at(point, j)] -= x * c[0][j] + y * c[1][j] + z * c[2][j];
   }
 }
 
@@ -113,10 +113,13 @@ struct PointHex {
   static constexpr std::string_view formulation = Quadrature::formulation;
   static constexpr std::size_t n_nodes = 8, n_points = n_hex_points, n_own = Quadrature::n_own;
 
-  static Lanes volume(const NodeVectors<8>& x) { return volume_of_points(vector_slopes(x)); }
+  static Lanes volume(const NodeVectors<8>& x) {
+    return volume_of_points(vector_slopes(base_sums<HexGeometry>(x)));
+  }
   ///   state  [n_points x (6 + material) + n_own]
-  static void advance(const ElementProperties& properties, const SolidMotion<8>& motion,
+  static void advance(const ElementProperties& properties, const SolidMotion<8>& nodal_motion,
                       std::span<Lanes> state, SolidStep<8>& step) {
+    const SolidMotion<7> motion = base_motion<HexGeometry>(nodal_motion);
     const MidpointKinematics<HexGeometry> midpoint(motion);
     const std::span<Lanes> points = state.first(state.size() - n_own), own = state.subspan(points.size());
     const PointSums sums = update_points(properties, motion, midpoint, points);
@@ -124,11 +127,13 @@ struct PointHex {
     const Lanes viscous_stress = damp(properties, motion, midpoint, sums, step);
     const auto hourglass = resist_hourglass(properties, motion, midpoint, own);
     step.hourglass_work = hourglass.work;
-    PointForces forces = split_stresses(properties, motion.x, points);
-    for (std::size_t i = 0; i < 3; ++i) forces.uniform[i] += viscous_stress;
-    set_forces<HexGeometry>(forces.uniform, hourglass.force, motion.x, step);
-    subtract_from_nodes(forces.amounts, step.force);
-    step.volume = forces.volume;
+    PointForces at_points = split_stresses(properties, motion.x, points);
+    for (std::size_t i = 0; i < 3; ++i) at_points.uniform[i] += viscous_stress;
+    NodeVectors<7> forces =
+        base_forces<HexGeometry>(at_points.uniform, hourglass.force, motion.x, step.volume);
+    for (std::size_t i = 0; i < 3; ++i) add_from_slopes(at_points.amounts[i], forces[i]);
+    set_nodal_forces<HexGeometry>(forces, step);
+    step.volume = at_points.volume;
   }
 
  private:
@@ -137,7 +142,7 @@ struct PointHex {
     return Quadrature::has_mean_dilatation ? properties.deviatoric_parameter : 1.0;
   }
 
-  static PointSums update_points(const ElementProperties& properties, const SolidMotion<8>& motion,
+  static PointSums update_points(const ElementProperties& properties, const SolidMotion<7>& motion,
                                  const MidpointKinematics<HexGeometry>& midpoint, std::span<Lanes> points) {
     const VectorSlopes x = vector_slopes(midpoint.x), v = vector_slopes(motion.v);
     const std::size_t size = points.size() / n_points;
@@ -160,7 +165,7 @@ struct PointHex {
   }
 
   /// Sets stable step and work of bulk viscosity; returns its stress [force/length^2].
-  static Lanes damp(const ElementProperties& properties, const SolidMotion<8>& motion,
+  static Lanes damp(const ElementProperties& properties, const SolidMotion<7>& motion,
                     const MidpointKinematics<HexGeometry>& midpoint, const PointSums& sums,
                     SolidStep<8>& step) {
     const Lanes per_mass = 1.0 / motion.mass, mean_norm = midpoint.gradient_norm * midpoint.per_volume;
@@ -178,7 +183,7 @@ struct PointHex {
   }
 
   static HourglassStep<HexGeometry> resist_hourglass(const ElementProperties& properties,
-                                                     const SolidMotion<8>& motion,
+                                                     const SolidMotion<7>& motion,
                                                      const MidpointKinematics<HexGeometry>& midpoint,
                                                      std::span<Lanes> own) {
     const double modulus = hourglass_modulus(properties);
@@ -195,7 +200,7 @@ struct PointHex {
     return update_hourglass<HexGeometry>(motion, midpoint, stiffness, damping, rotation, own);
   }
 
-  static PointForces split_stresses(const ElementProperties& properties, const NodeVectors<8>& x,
+  static PointForces split_stresses(const ElementProperties& properties, const NodeVectors<7>& x,
                                     std::span<const Lanes> points) {
     const VectorSlopes slopes = vector_slopes(x);
     const std::size_t size = points.size() / n_points;
@@ -213,22 +218,13 @@ struct PointHex {
           forces.uniform[i] += map.volume * (whole[i] - stress[i]);
         }
       }
-      add_natural_stress(stress, map, p, forces.amounts);
+      add_forces_on_slopes(stress, map, p, forces.amounts);
       volume += map.volume;
       min_volume = min_volume.min(map.volume);
     }
     for (Lanes& component : forces.uniform.components) component /= volume;
     forces.volume = (min_volume > 0.0).select(volume, min_volume);
     return forces;
-  }
-
-  static void subtract_from_nodes(VectorSlopes& amounts, NodeVectors<8>& force) {
-    for (std::size_t i = 0; i < 3; ++i) {
-      for (auto& along : amounts[i]) {
-        for (Lanes& amount : along) amount = -amount;
-      }
-      add_from_slopes(amounts[i], force[i]);
-    }
   }
 };
 

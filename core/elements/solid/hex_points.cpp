@@ -8,22 +8,10 @@ namespace {
 constexpr double at = 0.57735026918962573;  // 1 / sqrt(3)
 constexpr double eighth = 0.125;
 
-/// Coefficients of xi, eta, zeta, eta zeta, xi zeta, xi eta, xi eta zeta, the products scaled to the points.
-using Modes = std::array<Lanes, 7>;
-
-Modes modes_of(const std::array<Lanes, 8>& v) {
-  const Lanes s0 = v[4] + v[0], s1 = v[5] + v[1], s2 = v[6] + v[2], s3 = v[7] + v[3];
-  const Lanes d0 = v[4] - v[0], d1 = v[5] - v[1], d2 = v[6] - v[2], d3 = v[7] - v[3];
-  const Lanes s10 = s1 - s0, s23 = s2 - s3, d10 = d1 - d0, d23 = d2 - d3;
-  const Lanes d01 = d0 + d1, d32 = d3 + d2;
-  return {(s10 + s23) * eighth,
-          (s3 - s0 + s2 - s1) * eighth,
-          (d01 + d32) * eighth,
-          (d32 - d01) * (eighth * at),
-          (d10 + d23) * (eighth * at),
-          (s23 - s10) * (eighth * at),
-          (d23 - d10) * (eighth * at * at)};
-}
+/// What the sums of a field are times as its coefficients of xi, eta, zeta, eta zeta, xi zeta, xi eta, xi eta zeta,
+/// the products scaled to the points.
+constexpr std::array<double, 7> share = {eighth,      eighth,      eighth,          eighth * at,
+                                         eighth * at, eighth * at, eighth * at * at};
 
 /// Values of constant + first * x + second * y + product * x y for the signs of x and y.
 std::array<Lanes, 4> spread(const Lanes& constant, const Lanes& first, const Lanes& second,
@@ -44,32 +32,23 @@ void collect(const std::array<Lanes, 4>& q, Lanes& constant, Lanes& first, Lanes
 
 }  // namespace
 
-NaturalSlopes natural_slopes(const std::array<Lanes, 8>& values) {
-  const Modes m = modes_of(values);
+NaturalSlopes natural_slopes(const HexSums& sums) {
+  HexSums m;
+  for (std::size_t k = 0; k < m.size(); ++k) m[k] = sums[k] * share[k];
   return {spread(m[0], m[5], m[4], m[6]), spread(m[1], m[5], m[3], m[6]), spread(m[2], m[4], m[3], m[6])};
 }
 
-void add_from_slopes(const NaturalSlopes& amounts, std::array<Lanes, 8>& v) {
-  Modes m;
-  for (std::size_t i = 3; i < 7; ++i) m[i].setZero();
+void add_from_slopes(const NaturalSlopes& amounts, HexSums& forces) {
+  HexSums m;
+  for (std::size_t k = 3; k < m.size(); ++k) m[k].setZero();
   collect(amounts[0], m[0], m[5], m[4], m[6]);
   collect(amounts[1], m[1], m[5], m[3], m[6]);
   collect(amounts[2], m[2], m[4], m[3], m[6]);
-  for (std::size_t i = 0; i < 7; ++i) m[i] *= i < 3 ? eighth : i < 6 ? eighth * at : eighth * at * at;
-  // Even in zeta, then odd; within each the quadrilateral's nodes 0 to 3.
-  const Lanes sum = m[0] + m[1], difference = m[0] - m[1];
-  const Lanes even[4] = {m[5] - sum, difference - m[5], sum + m[5], -difference - m[5]};
-  const Lanes odd_sum = m[3] + m[4], odd_difference = m[4] - m[3];
-  const Lanes odd[4] = {m[2] - odd_sum + m[6], m[2] + odd_difference - m[6], m[2] + odd_sum + m[6],
-                        m[2] - odd_difference - m[6]};
-  for (std::size_t i = 0; i < 4; ++i) {
-    v[i] += even[i] - odd[i];
-    v[i + 4] += even[i] + odd[i];
-  }
+  for (std::size_t k = 0; k < m.size(); ++k) forces[k] += m[k] * share[k];
 }
 
-VectorSlopes vector_slopes(const NodeVectors<8>& vectors) {
-  return {natural_slopes(vectors[0]), natural_slopes(vectors[1]), natural_slopes(vectors[2])};
+VectorSlopes vector_slopes(const NodeVectors<7>& sums) {
+  return {natural_slopes(sums[0]), natural_slopes(sums[1]), natural_slopes(sums[2])};
 }
 
 TensorLanes slopes_at(const VectorSlopes& slopes, std::size_t point) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "core/base/tensor_lanes.hpp"
+#include "core/elements/solid/hex_geometry.hpp"
 
 /// The eight Gauss points of hexahedra, two along each natural coordinate, weights 1. Point p lies at
 /// +-1/sqrt(3) with the signs of its bits: bit 0 for xi, 1 for eta, 2 for zeta. Nodes stand in Exodus order.
@@ -14,11 +14,11 @@ inline constexpr std::size_t n_hex_points = 8;
 /// which counts 1 and the second 2. [coordinate][signs]
 using NaturalSlopes = std::array<std::array<Lanes, 4>, 3>;
 
-/// Slopes of a field with these values at the nodes.
-NaturalSlopes natural_slopes(const std::array<Lanes, 8>& values);
+/// Slopes of a field with these sums over the nodes.
+NaturalSlopes natural_slopes(const HexSums& sums);
 
-/// The transpose: adds to the nodes what the slopes' amounts put on them.
-void add_from_slopes(const NaturalSlopes& amounts, std::array<Lanes, 8>& values);
+/// The transpose: adds the slopes' amounts, as amounts of the base vectors.
+void add_from_slopes(const NaturalSlopes& amounts, HexSums& forces);
 
 /// Where a point's slope along a natural coordinate stands.
 constexpr std::size_t signs_at(std::size_t point, std::size_t coordinate) {
@@ -29,7 +29,8 @@ constexpr std::size_t signs_at(std::size_t point, std::size_t coordinate) {
 /// Slopes of the three components of a vector: [component].
 using VectorSlopes = std::array<NaturalSlopes, 3>;
 
-VectorSlopes vector_slopes(const NodeVectors<8>& vectors);
+///   sums  of the components over the nodes
+VectorSlopes vector_slopes(const NodeVectors<7>& sums);
 
 /// [component][natural coordinate]
 TensorLanes slopes_at(const VectorSlopes& slopes, std::size_t point);

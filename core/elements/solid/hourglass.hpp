@@ -9,7 +9,7 @@ namespace contactsim {
 
 /// Rates of the hourglass modes: what is left of the velocities without their linear part [length/time].
 template <class Geometry>
-ModeVectors<Geometry> hourglass_rates(const NodeVectors<Geometry::n_nodes>& v,
+ModeVectors<Geometry> hourglass_rates(const BaseVectors<Geometry>& v,
                                       const MidpointKinematics<Geometry>& midpoint) {
   const ModeVectors<Geometry>& x = midpoint.x_modes;
   ModeVectors<Geometry> rates = mode_sums<Geometry>(v);
@@ -42,18 +42,19 @@ inline void turn_vectors(const TensorLanes& rotation, std::span<Lanes> v) {
 
 /// Brings the elastic hourglass forces to the end of the step and adds the viscous ones. What the elastic
 /// ones grow by is added half before the step's rotation and half after, as update_point does.
+///   motion     of base sums
 ///   stiffness  [force/length]
 ///   viscosity  [force time/length]
 ///   rotation   of the step
 ///   elastic    [3 x n_modes]
 template <class Geometry>
-HourglassStep<Geometry> update_hourglass(const SolidMotion<Geometry::n_nodes>& motion,
+HourglassStep<Geometry> update_hourglass(const SolidMotion<Geometry::n_base>& motion,
                                          const MidpointKinematics<Geometry>& midpoint, const Lanes& stiffness,
                                          const Lanes& viscosity, const TensorLanes& rotation,
                                          std::span<Lanes> elastic) {
   constexpr std::size_t n = Geometry::n_modes;
   HourglassStep<Geometry> step;
-  const ModeVectors<Geometry> rates = hourglass_rates(motion.v, midpoint);
+  const ModeVectors<Geometry> rates = hourglass_rates<Geometry>(motion.v, midpoint);
   const Lanes half = 0.5 * motion.dt * stiffness;
   for (std::size_t i = 0; i < 3; ++i) {
     for (std::size_t k = 0; k < n; ++k) {

@@ -5,22 +5,26 @@
 
 namespace contactsim {
 
-/// An amount of each hourglass mode, [component][mode]; see uniform_gradient.hpp for what Geometry is.
+/// A vector of each base vector, [component][base vector]; see uniform_gradient.hpp for what Geometry is.
+template <class Geometry>
+using BaseVectors = NodeVectors<Geometry::n_base>;
+
+/// An amount of each hourglass mode, [component][mode].
 template <class Geometry>
 using ModeVectors = std::array<std::array<Lanes, Geometry::n_modes>, 3>;
 
 /// Hourglass modes summed with vectors at the nodes.
 template <class Geometry>
-ModeVectors<Geometry> mode_sums(const NodeVectors<Geometry::n_nodes>& values) {
-  return {Geometry::mode_sums(values[0]), Geometry::mode_sums(values[1]), Geometry::mode_sums(values[2])};
+ModeVectors<Geometry> mode_sums(const BaseVectors<Geometry>& sums) {
+  return {Geometry::mode_sums(sums[0]), Geometry::mode_sums(sums[1]), Geometry::mode_sums(sums[2])};
 }
 
 /// Uniform-gradient elements in the middle of a step.
 template <class Geometry>
 struct MidpointKinematics {
-  static constexpr std::size_t n = Geometry::n_nodes;
-  NodeVectors<n> x;               ///< coordinates [length]
-  NodeVectors<n> gradient;        ///< of the volume [length^2]
+  static constexpr std::size_t n = Geometry::n_base;
+  NodeVectors<n> x;                            ///< base sums of the coordinates [length]
+  NodeVectors<Geometry::n_gradient> gradient;  ///< of the volume, by them [length^2]
   Lanes volume, per_volume;       ///< and one over it
   Lanes gradient_norm;            ///< B:B [length^4]
   Lanes largest_eigenvalue;       ///< bound for that of B B^T [length^4]
@@ -33,13 +37,14 @@ struct MidpointKinematics {
       for (std::size_t a = 0; a < n; ++a) x[i][a] = motion.x[i][a] - 0.5 * motion.dt * motion.v[i][a];
     }
     gradient = Geometry::volume_gradient(x);
-    volume = dot(x[0], gradient[0]);
+    volume = dot(gradient[0], x[0]);
     per_volume = 1.0 / volume;
     for (std::size_t i = 0; i < 3; ++i) {
       for (std::size_t j = 0; j < 3; ++j)
-        velocity_gradient[i][j] = dot(motion.v[i], gradient[j]) * per_volume;
+        velocity_gradient[i][j] = dot(gradient[j], motion.v[i]) * per_volume;
     }
-    const SymmetricLanes gradient_squares = squares(gradient);
+    SymmetricLanes gradient_squares = squares(gradient);
+    for (Lanes& square : gradient_squares.components) square *= Geometry::base_norm;
     gradient_norm = trace(gradient_squares);
     largest_eigenvalue = bound_of_eigenvalues(gradient_squares);
     x_modes = mode_sums<Geometry>(x);

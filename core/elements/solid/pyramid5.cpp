@@ -12,8 +12,8 @@ namespace {
 /// Mean quadrature of five-node pyramids; see uniform_gradient.hpp. The hourglass mode is that of the base,
 /// orthogonal to linear fields when that is a parallelogram. Source: Belytschko and others, Comput. Meth.
 /// Appl. Mech. Eng. 43 (1984) 251-276, for the quadrilateral.
-struct PyramidGeometry {
-  static constexpr std::size_t n_nodes = 5, n_modes = 1;
+struct PyramidGeometry : NodeBase<5> {
+  static constexpr std::size_t n_modes = 1;
   static constexpr double mode_norm = 2.0;
 
   static NodeVectors<5> volume_gradient(const NodeVectors<5>& x) {

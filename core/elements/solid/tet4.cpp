@@ -8,8 +8,8 @@ namespace contactsim {
 namespace {
 
 /// Four-node tetrahedra; see uniform_gradient.hpp. Their gradients are uniform: there are no hourglass modes.
-struct TetGeometry {
-  static constexpr std::size_t n_nodes = 4, n_modes = 0;
+struct TetGeometry : NodeBase<4> {
+  static constexpr std::size_t n_modes = 0;
   static constexpr double mode_norm = 1.0;  ///< of none
 
   static NodeVectors<4> volume_gradient(const NodeVectors<4>& x) {

@@ -7,15 +7,23 @@
 #include "core/elements/solid/material_point.hpp"
 #include "core/mesh/topology.hpp"
 
-/// Solid elements that take strain and stress as uniform, from the mean gradients of their shape functions. A
+/// Solid elements that take strain and stress as uniform, from the mean gradients of their shape functions. Their
+/// kernel works in base vectors: the nodal values of a field are known by their sums with vectors that are
+/// orthogonal to each other and equally long, nodal forces by the amounts of these vectors that they are made of. A
 /// geometry states
-///   n_nodes, n_modes  modes are the hourglass modes, nodal motions without a mean gradient
+///   n_nodes, n_base   base vectors; a motion of all nodes alike need not be among them
+///   n_gradient        the first base vectors, those by whose sums the volume changes
+///   n_modes           hourglass modes, nodal motions without a mean gradient
+///   base_norm         the square of the Euclidean norm of every base vector
 ///   mode_norm         the Euclidean norm of every hourglass mode
 /// and has
-///   volume_gradient(x)     derivatives of the volume by the nodes' coordinates, which are also the volume
-///                          times the mean gradients of the shape functions [length^2]
-///   mode_sums(values)      the modes summed with a value at each node
-///   add_modes(a, out)      adds to each node the modes' entries times the amounts: the transpose
+///   base_sums(values)      of a value at each node
+///   at_nodes(amounts)      the transpose: base vectors times amounts
+///   volume_gradient(x)     derivatives of the volume by the base sums of the coordinates, which are also the volume
+///                          times the mean gradients of the shape functions, as amounts [length^2]
+///   mode_sums(sums)        the modes summed with a value at each node
+///   add_modes(a, amounts)  adds the modes times a: the transpose
+/// Products of a field and of forces are the same in sums and amounts as they are at the nodes.
 namespace contactsim {
 
 /// Bulk viscosity: linear in the dilatation rate, and quadratic while the elements close. Its length is that
@@ -40,27 +48,55 @@ struct BulkViscosity {
   }
 };
 
-/// Sets the forces of a stress and of hourglass forces, whose share of the linear motion is taken off.
+/// The base vectors of nodes themselves.
+template <std::size_t n>
+struct NodeBase {
+  static constexpr std::size_t n_nodes = n, n_base = n, n_gradient = n;
+  static constexpr double base_norm = 1.0;
+  static const std::array<Lanes, n>& base_sums(const std::array<Lanes, n>& values) { return values; }
+  static const std::array<Lanes, n>& at_nodes(const std::array<Lanes, n>& amounts) { return amounts; }
+};
+
+/// The base sums of vectors at the nodes.
 template <class Geometry>
-void set_forces(const SymmetricLanes& stress, const ModeVectors<Geometry>& hourglass,
-                const NodeVectors<Geometry::n_nodes>& x, SolidStep<Geometry::n_nodes>& step) {
+BaseVectors<Geometry> base_sums(const NodeVectors<Geometry::n_nodes>& v) {
+  return {Geometry::base_sums(v[0]), Geometry::base_sums(v[1]), Geometry::base_sums(v[2])};
+}
+
+template <class Geometry>
+SolidMotion<Geometry::n_base> base_motion(const SolidMotion<Geometry::n_nodes>& motion) {
+  return {base_sums<Geometry>(motion.x), base_sums<Geometry>(motion.v), motion.mass, motion.dt};
+}
+
+/// The forces of a stress and of hourglass forces, whose share of the linear motion is taken off. Sets the volume.
+template <class Geometry>
+BaseVectors<Geometry> base_forces(const SymmetricLanes& stress, const ModeVectors<Geometry>& hourglass,
+                                  const BaseVectors<Geometry>& x, Lanes& volume) {
   const auto gradient = Geometry::volume_gradient(x);
-  step.volume = dot(x[0], gradient[0]);
+  volume = dot(gradient[0], x[0]);
   const ModeVectors<Geometry> sums = mode_sums<Geometry>(x);
-  const Lanes scale = 1.0 / (Geometry::mode_norm * step.volume);
+  const Lanes scale = 1.0 / (Geometry::mode_norm * volume);
+  BaseVectors<Geometry> forces;
   for (std::size_t i = 0; i < 3; ++i) {
     std::array<Lanes, 3> row;  // of minus the stress
     for (std::size_t j = 0; j < 3; ++j) {
       row[j] = -stress[symmetric_place[i][j]];
       for (std::size_t k = 0; k < Geometry::n_modes; ++k) row[j] += scale * hourglass[i][k] * sums[j][k];
     }
-    for (std::size_t a = 0; a < Geometry::n_nodes; ++a)
-      step.force[i][a] = row[0] * gradient[0][a] + row[1] * gradient[1][a] + row[2] * gradient[2][a];
+    for (std::size_t a = 0; a < Geometry::n_gradient; ++a)
+      forces[i][a] = row[0] * gradient[0][a] + row[1] * gradient[1][a] + row[2] * gradient[2][a];
+    for (std::size_t a = Geometry::n_gradient; a < Geometry::n_base; ++a) forces[i][a].setZero();
     std::array<Lanes, Geometry::n_modes> amounts;
     for (std::size_t k = 0; k < Geometry::n_modes; ++k)
       amounts[k] = hourglass[i][k] * (-1.0 / Geometry::mode_norm);
-    Geometry::add_modes(amounts, step.force[i]);
+    Geometry::add_modes(amounts, forces[i]);
   }
+  return forces;
+}
+
+template <class Geometry>
+void set_nodal_forces(const BaseVectors<Geometry>& forces, SolidStep<Geometry::n_nodes>& step) {
+  for (std::size_t i = 0; i < 3; ++i) step.force[i] = Geometry::at_nodes(forces[i]);
 }
 
 /// Brings eight elements to the end of a step. Strain from the gradient in the middle of the step, stress
@@ -75,8 +111,9 @@ void set_forces(const SymmetricLanes& stress, const ModeVectors<Geometry>& hourg
 ///   own  [3 x n_modes] hourglass forces
 template <class Geometry>
 void advance_uniform_gradient(const ElementProperties& properties,
-                              const SolidMotion<Geometry::n_nodes>& motion, std::span<Lanes> point,
+                              const SolidMotion<Geometry::n_nodes>& nodal_motion, std::span<Lanes> point,
                               std::span<Lanes> own, SolidStep<Geometry::n_nodes>& step) {
+  const SolidMotion<Geometry::n_base> motion = base_motion<Geometry>(nodal_motion);
   const MidpointKinematics<Geometry> midpoint(motion);
   const StepMotion split = split_motion(midpoint.velocity_gradient, motion.dt);
   PointStep at_point = update_point(properties.law, split, point);
@@ -102,7 +139,8 @@ void advance_uniform_gradient(const ElementProperties& properties,
   const auto hourglass =
       update_hourglass<Geometry>(motion, midpoint, stiffness, damping, split.rotation, own);
   step.hourglass_work = hourglass.work;
-  set_forces<Geometry>(at_point.stress, hourglass.force, motion.x, step);
+  set_nodal_forces<Geometry>(
+      base_forces<Geometry>(at_point.stress, hourglass.force, motion.x, step.volume), step);
 }
 
 /// An element of this kind: one integration point, hourglass forces of its own.
@@ -112,7 +150,10 @@ struct UniformGradient {
   static constexpr std::string_view formulation = "mean_quadrature";
   static constexpr std::size_t n_nodes = Geometry::n_nodes, n_points = 1, n_own = 3 * Geometry::n_modes;
 
-  static Lanes volume(const NodeVectors<n_nodes>& x) { return dot(x[0], Geometry::volume_gradient(x)[0]); }
+  static Lanes volume(const NodeVectors<n_nodes>& nodal_x) {
+    const BaseVectors<Geometry> x = base_sums<Geometry>(nodal_x);
+    return dot(Geometry::volume_gradient(x)[0], x[0]);
+  }
   /// As advance_uniform_gradient.
   ///   state  [6 + material + n_own]
   static void advance(const ElementProperties& properties, const SolidMotion<n_nodes>& motion,

@@ -13,8 +13,8 @@ namespace {
 /// against each other: the two fields on a triangle without a mean, one way below and the other way above.
 /// They are orthogonal to linear fields on prisms. Source: Belytschko and others, Comput. Meth. Appl. Mech.
 /// Eng. 43 (1984) 251-276, for the idea; the hourglass modes by hand.
-struct WedgeGeometry {
-  static constexpr std::size_t n_nodes = 6, n_modes = 2;
+struct WedgeGeometry : NodeBase<6> {
+  static constexpr std::size_t n_modes = 2;
   static constexpr double mode_norm = 2.0;
 
   static NodeVectors<6> volume_gradient(const NodeVectors<6>& x) {

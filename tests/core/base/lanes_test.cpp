@@ -10,7 +10,7 @@ using namespace contactsim;
 
 namespace {
 
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+constexpr double no_number = std::numeric_limits<double>::quiet_NaN();
 
 /// first, first + step, ...
 Lanes row(double first, double step) {
@@ -35,7 +35,7 @@ TEST_CASE("lanes compute as numbers do, each for itself", "[core][lanes]") {
 
 TEST_CASE("the lesser and the greater lane are those of std::min and std::max, also of what is no number",
           "[core][lanes]") {
-  const double numbers[] = {1.0, -1.0, 0.0, -0.0, nan, std::numeric_limits<double>::infinity()};
+  const double numbers[] = {1.0, -1.0, 0.0, -0.0, no_number, std::numeric_limits<double>::infinity()};
   const auto is_same = [](double a, double b) {
     return std::isnan(a) ? std::isnan(b) : a == b && std::signbit(a) == std::signbit(b);
   };
@@ -49,7 +49,7 @@ TEST_CASE("the lesser and the greater lane are those of std::min and std::max, a
 
 TEST_CASE("masks hold where comparisons do, and nothing compares with what is no number", "[core][lanes]") {
   Lanes a = row(0.0, 1.0);
-  a(6) = nan;
+  a(6) = no_number;
   const LaneMask is_small = a < 3.0;
   for (Eigen::Index lane = 0; lane < n_lanes; ++lane) {
     CHECK(is_small(lane) == (lane < 3));
@@ -81,7 +81,7 @@ TEST_CASE("a sum of the first lanes leaves the others out, whatever they hold", 
   Lanes a = row(1.0, 1.0);
   CHECK(a.sum() == 36.0);
   CHECK(a.sum_of_first(8) == 36.0);
-  a(5) = nan;
+  a(5) = no_number;
   CHECK(a.sum_of_first(5) == 15.0);
   CHECK(a.sum_of_first(1) == 1.0);
   CHECK(a.sum_of_first(0) == 0.0);

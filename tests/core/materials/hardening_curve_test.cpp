@@ -37,8 +37,7 @@ std::string error_of(const Points& points) {
 
 TEST_CASE("a curve runs through its points and stays at the last", "[core][materials]") {
   const HardeningCurve curve = curve_of({{0.0, 200.0}, {0.1, 250.0}, {0.3, 260.0}});
-  Lanes strain;
-  strain << 0.0, 0.05, 0.1, 0.2, 0.3, 0.4, 1e9, 0.1;
+  const Lanes strain(Lanes::Vector{0.0, 0.05, 0.1, 0.2, 0.3, 0.4, 1e9, 0.1});
   const HardeningCurve::Place place = curve.at(strain);
   const double stress[] = {200.0, 225.0, 250.0, 255.0, 260.0, 260.0, 260.0, 250.0};
   const double slope[] = {500.0, 500.0, 50.0, 50.0, 0.0, 0.0, 0.0, 50.0};

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "core/elements/solid/hex_geometry.hpp"
 
+#include <algorithm>
+#include <cmath>
 #include <random>
 #include <vector>
 
-#include "core/elements/solid/midpoint_kinematics.hpp"
+#include "core/elements/solid/uniform_gradient.hpp"
 #include "core/mesh/element_checks.hpp"
 #include "support/catch.hpp"
 
@@ -40,23 +42,41 @@ double volume_of(const NodeVectors<8>& x, int lane) {
   return solid_volume(coordinates, nodes, topology(Shape::hex8));
 }
 
-double mode(std::size_t alpha, std::size_t node) {
+/// A base vector at a node, as defined.
+double base(std::size_t k, std::size_t node) {
   const double xi = natural[node][0], eta = natural[node][1], zeta = natural[node][2];
-  const double values[] = {eta * zeta, xi * zeta, xi * eta, xi * eta * zeta};
-  return values[alpha];
+  const double values[] = {xi, eta, zeta, eta * zeta, xi * zeta, xi * eta, xi * eta * zeta};
+  return values[k];
+}
+
+/// Volume of hexahedra with these coordinates, and its gradient by those of the nodes.
+Lanes volume_by_sums(const NodeVectors<8>& x) {
+  const NodeVectors<7> sums = base_sums<HexGeometry>(x);
+  return dot(HexGeometry::volume_gradient(sums)[0], sums[0]);
+}
+NodeVectors<8> nodal_gradient(const NodeVectors<8>& x) {
+  const NodeVectors<6> by_sums = HexGeometry::volume_gradient(base_sums<HexGeometry>(x));
+  NodeVectors<8> gradient;
+  for (std::size_t i = 0; i < 3; ++i) {
+    HexSums amounts;
+    std::copy_n(by_sums[i].begin(), 6, amounts.begin());
+    amounts[6].setZero();
+    gradient[i] = HexGeometry::at_nodes(amounts);
+  }
+  return gradient;
 }
 
 }  // namespace
 
 TEST_CASE("the volume of a distorted hexahedron is that of its faces' cones", "[core][elements]") {
   const NodeVectors<8> x = distorted_cubes();
-  const Lanes volume = dot(x[0], HexGeometry::volume_gradient(x)[0]);
+  const Lanes volume = volume_by_sums(x);
   for (int lane = 0; lane < n_lanes; ++lane) CHECK(volume(lane) == Approx(volume_of(x, lane)).epsilon(1e-12));
 }
 
 TEST_CASE("the volume gradient is the difference quotient of the volume", "[core][elements]") {
   const NodeVectors<8> x = distorted_cubes();
-  const NodeVectors<8> gradient = HexGeometry::volume_gradient(x);
+  const NodeVectors<8> gradient = nodal_gradient(x);
   constexpr double h = 1e-3;  // the volume is linear in each coordinate: any step is exact
   for (std::size_t i = 0; i < 3; ++i) {
     for (std::size_t node = 0; node < 8; ++node) {
@@ -72,7 +92,7 @@ TEST_CASE("the volume gradient is the difference quotient of the volume", "[core
 
 TEST_CASE("gradients of a linear field are exact whatever the shape", "[core][elements]") {
   const NodeVectors<8> x = distorted_cubes();
-  const NodeVectors<8> gradient = HexGeometry::volume_gradient(x);
+  const NodeVectors<8> gradient = nodal_gradient(x);
   const Lanes volume = dot(x[0], gradient[0]);
   for (std::size_t i = 0; i < 3; ++i) {
     for (std::size_t j = 0; j < 3; ++j) {
@@ -82,20 +102,38 @@ TEST_CASE("gradients of a linear field are exact whatever the shape", "[core][el
   }
 }
 
-TEST_CASE("hourglass sums and their transpose are the products with the patterns", "[core][elements]") {
+TEST_CASE("sums with the base vectors and their transpose are the products with the signs", "[core][elements]") {
   const std::array<Lanes, 8> values = distorted_cubes()[0];
-  const std::array<Lanes, 4> sums = HexGeometry::mode_sums(values);
-  for (std::size_t alpha = 0; alpha < 4; ++alpha) {
+  const HexSums sums = HexGeometry::base_sums(values);
+  for (std::size_t k = 0; k < sums.size(); ++k) {
     Lanes expected = Lanes::Zero();
-    for (std::size_t node = 0; node < 8; ++node) expected += mode(alpha, node) * values[node];
-    CHECK((sums[alpha] - expected).abs().maxCoeff() < 1e-15);
+    for (std::size_t node = 0; node < 8; ++node) expected += base(k, node) * values[node];
+    CHECK((sums[k] - expected).abs().maxCoeff() < 1e-15);
   }
-  std::array<Lanes, 8> added;
-  for (Lanes& value : added) value.setZero();
-  HexGeometry::add_modes(sums, added);
+  const std::array<Lanes, 8> at_nodes = HexGeometry::at_nodes(sums);
   for (std::size_t node = 0; node < 8; ++node) {
     Lanes expected = Lanes::Zero();
-    for (std::size_t alpha = 0; alpha < 4; ++alpha) expected += mode(alpha, node) * sums[alpha];
-    CHECK((added[node] - expected).abs().maxCoeff() < 1e-15);
+    for (std::size_t k = 0; k < sums.size(); ++k) expected += base(k, node) * sums[k];
+    CHECK((at_nodes[node] - expected).abs().maxCoeff() < 1e-15);
   }
+}
+
+TEST_CASE("the base vectors of hexahedra are orthogonal and as long as they say", "[core][elements]") {
+  for (std::size_t k = 0; k < HexGeometry::n_base; ++k) {
+    for (std::size_t l = 0; l < HexGeometry::n_base; ++l) {
+      double product = 0.0;
+      for (std::size_t node = 0; node < 8; ++node) product += base(k, node) * base(l, node);
+      CHECK(product == (k == l ? HexGeometry::base_norm : 0.0));
+    }
+  }
+  CHECK(HexGeometry::mode_norm == std::sqrt(HexGeometry::base_norm));
+}
+
+TEST_CASE("hourglass modes of hexahedra are the last four base vectors", "[core][elements]") {
+  const HexSums sums = HexGeometry::base_sums(distorted_cubes()[0]);
+  const std::array<Lanes, 4> modes = HexGeometry::mode_sums(sums);
+  HexSums added = sums;
+  HexGeometry::add_modes(modes, added);
+  for (std::size_t k = 0; k < sums.size(); ++k) CHECK((added[k] == (k < 3 ? sums[k] : 2.0 * sums[k])).all());
+  for (std::size_t k = 0; k < 4; ++k) CHECK((modes[k] == sums[3 + k]).all());
 }

@@ -4,8 +4,7 @@
 #include <cmath>
 #include <random>
 
-#include "core/elements/solid/hex_geometry.hpp"
-#include "core/elements/solid/midpoint_kinematics.hpp"
+#include "core/elements/solid/uniform_gradient.hpp"
 #include "support/catch.hpp"
 
 using namespace contactsim;
@@ -42,7 +41,7 @@ double shape_slope(std::size_t node, std::size_t point, std::size_t along) {
 
 TEST_CASE("natural slopes are those of the trilinear shape functions", "[core][elements]") {
   const std::array<Lanes, 8> values = distorted_cubes(1.0)[0];
-  const NaturalSlopes slopes = natural_slopes(values);
+  const NaturalSlopes slopes = natural_slopes(HexGeometry::base_sums(values));
   for (std::size_t point = 0; point < n_hex_points; ++point) {
     for (std::size_t along = 0; along < 3; ++along) {
       Lanes expected = Lanes::Zero();
@@ -62,23 +61,26 @@ TEST_CASE("what slopes put on the nodes is the transpose of taking slopes", "[co
       for (Eigen::Index lane = 0; lane < n_lanes; ++lane) amount(lane) = number(random);
     }
   }
-  std::array<Lanes, 8> added;
-  added.fill(Lanes::Constant(1.0));
-  add_from_slopes(amounts, added);
+  HexSums sums;
+  sums.fill(Lanes::Constant(1.0));
+  add_from_slopes(amounts, sums);
+  for (Lanes& sum : sums) sum -= 1.0;
+  const std::array<Lanes, 8> added = HexGeometry::at_nodes(sums);
   Lanes by_slopes = Lanes::Zero(), by_nodes = Lanes::Zero();
-  const NaturalSlopes slopes = natural_slopes(values);
+  const NaturalSlopes slopes = natural_slopes(HexGeometry::base_sums(values));
   for (std::size_t along = 0; along < 3; ++along) {
     for (std::size_t signs = 0; signs < 4; ++signs) by_slopes += slopes[along][signs] * amounts[along][signs];
   }
-  for (std::size_t node = 0; node < 8; ++node) by_nodes += values[node] * (added[node] - 1.0);
+  for (std::size_t node = 0; node < 8; ++node) by_nodes += values[node] * added[node];
   CHECK((by_slopes - by_nodes).abs().maxCoeff() < 1e-14);
 }
 
 TEST_CASE("the points' volumes add up to the hexahedron, unless one is inside out", "[core][elements]") {
   NodeVectors<8> x = distorted_cubes(0.1);
-  const Lanes volume = volume_of_points(vector_slopes(x));
-  CHECK((volume - dot(x[0], HexGeometry::volume_gradient(x)[0])).abs().maxCoeff() < 1e-14);
+  const auto sums = [&] { return base_sums<HexGeometry>(x); };
+  const auto whole = [&] { return dot(HexGeometry::volume_gradient(sums())[0], sums()[0]); };
+  CHECK((volume_of_points(vector_slopes(sums())) - whole()).abs().maxCoeff() < 1e-14);
   for (std::size_t i = 0; i < 3; ++i) x[i][6] = Lanes::Constant(-0.3);  // a dent past the middle
-  CHECK((dot(x[0], HexGeometry::volume_gradient(x)[0]) > 0.0).all());
-  CHECK((volume_of_points(vector_slopes(x)) < 0.0).all());
+  CHECK((whole() > 0.0).all());
+  CHECK((volume_of_points(vector_slopes(sums())) < 0.0).all());
 }
