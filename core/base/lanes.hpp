@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#ifdef __AVX512F__
+#include <immintrin.h>
+#endif
+
 #include <Eigen/Core>
 #include <bit>
 #include <cstdint>
@@ -87,12 +91,19 @@ class Lanes {
   Lanes min(const Lanes& b) const { return {b.lanes_ < lanes_ ? b.lanes_ : lanes_}; }
   Lanes max(const Lanes& b) const { return {lanes_ < b.lanes_ ? b.lanes_ : lanes_}; }
   Lanes abs() const { return eigen().abs(); }
-  Lanes sqrt() const { return eigen().sqrt(); }
+  Lanes sqrt() const {
+#ifdef __AVX512F__
+    return {_mm512_sqrt_pd(lanes_)};  // Eigen's is an approximation there
+#else
+    return eigen().sqrt();
+#endif
+  }
   Lanes exp() const { return eigen().exp(); }
   Lanes log() const { return eigen().log(); }
   Lanes cos() const { return eigen().cos(); }
   Lanes acos() const { return eigen().acos(); }
-  Lanes pow(double exponent) const { return eigen().pow(exponent); }
+  /// Of what is not negative, off by some 2e-16 (1 + |exponent log|) of the power.
+  Lanes pow(double exponent) const { return (exponent * log()).exp(); }
   double sum() const {
     const Lanes& a = *this;
     return ((a(0) + a(4)) + (a(1) + a(5))) + ((a(2) + a(6)) + (a(3) + a(7)));

@@ -24,55 +24,72 @@ struct PlaneConsistency {
   double dt;                        ///< [time]
   double kinematic;                 ///< what the back stress has of a and b [force/length^2]
 
-  Lanes equivalent(const Lanes& g) const {
-    const Lanes ra = 1.0 / (1.0 + a * g), rb = 1.0 / (1.0 + b * g);
-    return (sum_part * ra * ra + difference_part * rb * rb).sqrt();
+  /// Zero where the step is elastic; nothing where all of it is.
+  std::optional<PlaneFlow<double>> solve() const {
+    // Without a step nothing flows, although a flow stress that was raised by its rate falls back.
+    if (dt == 0.0) return std::nullopt;
+    const Lanes trial = (sum_part + difference_part).sqrt();
+    const FlowStress start = hardening.at(eqps, Lanes::Zero(), dt);
+    const LaneMask flows = trial > start.value;
+    if (!flows.any()) return std::nullopt;
+    return solve(trial, start, flows);
   }
 
-  Lanes slope(const Lanes& g, const Lanes& q) const {
-    const Lanes ra = 1.0 / (1.0 + a * g), rb = 1.0 / (1.0 + b * g);
-    return -(sum_part * a * ra * ra * ra + difference_part * b * rb * rb * rb) / q;
+ private:
+  /// The equivalent stress q after a flow, and by how much its square falls, -q dq/dg.
+  struct Fallen {
+    Lanes equivalent, fall;
+  };
+
+  Fallen fallen(const Lanes& g) const {
+    const Lanes by_a = 1.0 + a * g, by_b = 1.0 + b * g, ratio = 1.0 / (by_a * by_b);
+    const Lanes ra = ratio * by_b, rb = ratio * by_a;
+    const Lanes sum = sum_part * ra * ra, difference = difference_part * rb * rb;
+    return {(sum + difference).sqrt(), a * sum * ra + b * difference * rb};
   }
 
   /// A flow that is too large: q falls at least as 1 / (1 + least g), and the flow stress at most to that of
   /// the largest plastic strain that an endless flow would give.
   Lanes upper_bound(const Lanes& trial, const Lanes& start) const {
     constexpr double smallest = 1e-12;  // of the trial stress, the accuracy of the solution
-    const Lanes max_strain = 2.0 / 3.0 * (sum_part / (a * a) + difference_part / (b * b)).sqrt();
-    const Lanes min_flow = (start + std::min(0.0, hardening.min_slope()) * max_strain).max(smallest * trial);
-    return ((trial / min_flow - 1.0) / std::min(a, b)).max(0.0);
+    Lanes min_flow = start;
+    if (hardening.min_slope() < 0.0) {
+      const Lanes max_strain = 2.0 / 3.0 * (sum_part / (a * a) + difference_part / (b * b)).sqrt();
+      min_flow += hardening.min_slope() * max_strain;
+    }
+    return ((trial / min_flow.max(smallest * trial) - 1.0) / std::min(a, b)).max(0.0);
   }
 
-  /// Zero where the step is elastic; nothing where all of it is.
-  std::optional<PlaneFlow<double>> solve() const {
-    const Lanes trial = (sum_part + difference_part).sqrt();
-    const Lanes start = hardening.at(eqps, Lanes::Zero(), dt).value;
-    // Without a step nothing flows, although a flow stress that was raised by its rate falls back.
-    if (dt == 0.0 || (trial <= start).all()) return std::nullopt;
-    const Lanes flow = solve(trial, start);
-    return PlaneFlow<double>{flow, 2.0 / 3.0 * flow * equivalent(flow), kinematic};
+  /// The flow of a stress all of which falls as fast as it does at first, with the hardening of the start: off by
+  /// the square of the step.
+  Lanes radial_guess(const Lanes& trial, const FlowStress& start) const {
+    const Lanes square = sum_part + difference_part, fall = a * sum_part + b * difference_part;
+    return (trial - start.value) * square / (fall * start.value + 2.0 / 3.0 * start.slope * square * trial);
   }
 
- private:
-  /// Zero where the step is elastic. Newton's steps that leave the bracket are replaced by halving it.
-  Lanes solve(const Lanes& trial, const Lanes& start) const {
+  /// Newton's steps that leave the bracket are replaced by halving it.
+  PlaneFlow<double> solve(const Lanes& trial, const FlowStress& start, const LaneMask& flows) const {
     constexpr double tolerance = 1e-12;  // of the trial stress
     constexpr int max_iterations = 200;
-    Lanes low = Lanes::Zero(), high = upper_bound(trial, start), g = low;
+    Lanes low = Lanes::Zero(), high = upper_bound(trial, start.value);
+    Lanes g = radial_guess(trial, start);
+    g = flows.select((g > low && g < high).select(g, high), 0.0);
+    Lanes increment = Lanes::Zero();
     for (int i = 0; i < max_iterations; ++i) {
-      const Lanes q = equivalent(g), increment = 2.0 / 3.0 * g * q;
+      const auto [q, fall] = fallen(g);
+      increment = 2.0 / 3.0 * g * q;
       const FlowStress flow = hardening.at(eqps, increment, dt);
       const Lanes residual = q - flow.value;
-      const LaneMask is_done = trial <= start || residual.abs() <= tolerance * trial;
+      const LaneMask is_done = !flows || residual.abs() <= tolerance * trial;
       if (is_done.all()) break;
       low = (residual > 0.0).select(g, low);
       high = (residual > 0.0).select(high, g);
-      const Lanes fall = slope(g, q), per_g = fall - flow.slope * (2.0 / 3.0) * (q + g * fall);
-      const Lanes newton = g - residual / per_g;
+      // dq/dg = -fall / q, and the flow stress grows with 2/3 (q + g dq/dg).
+      const Lanes newton = g + residual * q / (fall + 2.0 / 3.0 * flow.slope * (q * q - g * fall));
       const LaneMask is_inside = newton > low && newton < high;
       g = is_done.select(g, is_inside.select(newton, 0.5 * (low + high)));
     }
-    return g;
+    return {g, increment, kinematic};
   }
 };
 

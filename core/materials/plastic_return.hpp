@@ -51,14 +51,17 @@ struct Consistency {
   double dt;         ///< [time]
 
   /// Zero where the step is elastic. The residual falls with x, so the root lies between 0 and the x that the
-  /// least hardening would give; Newton's steps that leave the bracket are replaced by halving it.
-  Lanes solve() const {
+  /// least hardening would give; Newton's steps that leave the bracket are replaced by halving it. The first guess
+  /// is the step with the hardening of the start, unless that is so steep that it can only be about to fall.
+  ///   start  the flow stress at x = 0
+  Lanes solve(const FlowStress& start) const {
     constexpr double tolerance = 1e-12;  // of the trial stress
     constexpr int max_iterations = 100;
-    const FlowStress start = hardening.at(eqps, Lanes::Zero(), dt);
+    const double min_slope = hardening.min_slope();
     const Lanes excess = (trial - start.value).max(0.0);
-    Lanes low = Lanes::Zero(), high = excess / (stiffness + hardening.min_slope());
-    Lanes x = high;
+    Lanes low = Lanes::Zero(), high = excess / (stiffness + min_slope);
+    const Lanes slope = (start.slope < stiffness).select(start.slope, min_slope);
+    Lanes x = excess / (stiffness + slope.max(min_slope));
     for (int i = 0; i < max_iterations; ++i) {
       const FlowStress flow = hardening.at(eqps, x, dt);
       const Lanes residual = trial - stiffness * x - flow.value;
@@ -79,11 +82,12 @@ template <class Hardening>
 std::optional<PlasticFlow<double>> return_to(const Hardening& hardening, const SolidTrial& trial) {
   const double dt = trial.dt;
   // Without a step nothing flows, although a flow stress that was raised by its rate falls back.
-  if (dt == 0.0 || (trial.equivalent <= hardening.at(trial.eqps, Lanes::Zero(), dt).value).all())
-    return std::nullopt;
+  if (dt == 0.0) return std::nullopt;
+  const FlowStress start = hardening.at(trial.eqps, Lanes::Zero(), dt);
+  if ((trial.equivalent <= start.value).all()) return std::nullopt;
   const double stiffness = 3.0 * trial.shear + hardening.kinematic_modulus;
   const Consistency<Hardening> consistency{hardening, trial.equivalent, trial.eqps, stiffness, dt};
-  return PlasticFlow<double>{consistency.solve(), hardening.kinematic_modulus};
+  return PlasticFlow<double>{consistency.solve(start), hardening.kinematic_modulus};
 }
 
 }  // namespace contactsim
