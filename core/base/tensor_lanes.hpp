@@ -56,7 +56,7 @@ SymmetricLanes squares(const NodeVectors<n>& a) {
 
 /// The tensor less a third of its trace on the diagonal.
 inline SymmetricLanes deviator(SymmetricLanes a) {
-  const Lanes mean = trace(a) / 3.0;
+  const Lanes mean = trace(a) * (1.0 / 3.0);
   for (std::size_t i = 0; i < 3; ++i) a[i] -= mean;
   return a;
 }
@@ -80,7 +80,7 @@ inline SymmetricLanes transformed(const SymmetricLanes& a, const TensorLanes& f)
 /// at most the trace of a tensor without negative ones.
 inline Lanes bound_of_eigenvalues(const SymmetricLanes& a) {
   const SymmetricLanes spread = deviator(a);
-  return trace(a) / 3.0 + (2.0 / 3.0 * contract(spread, spread)).sqrt();
+  return trace(a) * (1.0 / 3.0) + (2.0 / 3.0 * contract(spread, spread)).sqrt();
 }
 
 }  // namespace contactsim

@@ -38,8 +38,7 @@ struct PointSums {
 };
 
 /// The velocity gradient [1/time] at a point.
-TensorLanes gradient_at(const PointMap& map, const TensorLanes& slopes) {
-  const Lanes per_volume = 1.0 / map.volume;
+TensorLanes gradient_at(const PointMap& map, const Lanes& per_volume, const TensorLanes& slopes) {
   TensorLanes gradient;
   for (std::size_t i = 0; i < 3; ++i) {
     for (std::size_t j = 0; j < 3; ++j) {
@@ -58,7 +57,7 @@ TensorLanes mixed(const TensorLanes& gradient, const TensorLanes& mean, double s
     for (std::size_t j = 0; j < 3; ++j) mix[i][j] = share * (gradient[i][j] - mean[i][j]);
     trace += mix[i][i];
   }
-  trace /= 3.0;
+  trace *= 1.0 / 3.0;
   for (std::size_t i = 0; i < 3; ++i) {
     mix[i][i] -= trace;
     for (std::size_t j = 0; j < 3; ++j) mix[i][j] += mean[i][j];
@@ -66,9 +65,8 @@ TensorLanes mixed(const TensorLanes& gradient, const TensorLanes& mean, double s
   return mix;
 }
 
-void add_bounds(const PointMap& map, const LaneModuli& moduli, PointSums& sums) {
+void add_bounds(const PointMap& map, const Lanes& per_volume, const LaneModuli& moduli, PointSums& sums) {
   const SymmetricLanes stretches = squares(map.cofactors);
-  const Lanes per_volume = 1.0 / map.volume;
   sums.squared_gradient = sums.squared_gradient.max(trace(stretches) * per_volume);
   sums.squared_stretch = sums.squared_stretch.max(bound_of_eigenvalues(stretches) * per_volume);
   sums.lambda = sums.lambda.max(moduli.lambda());
@@ -117,7 +115,7 @@ struct PointHex {
     return volume_of_points(vector_slopes(base_sums<HexGeometry>(x)));
   }
   ///   state  [n_points x (6 + material) + n_own]
-  static void advance(const ElementProperties& properties, const SolidMotion<8>& nodal_motion,
+  [[gnu::flatten]] static void advance(const ElementProperties& properties, const SolidMotion<8>& nodal_motion,
                       std::span<Lanes> state, SolidStep<8>& step) {
     const SolidMotion<7> motion = base_motion<HexGeometry>(nodal_motion);
     const MidpointKinematics<HexGeometry> midpoint(motion);
@@ -149,13 +147,14 @@ struct PointHex {
     PointSums sums;
     for (std::size_t p = 0; p < n_points; ++p) {
       const PointMap map = point_map(x, p);
-      TensorLanes gradient = gradient_at(map, slopes_at(v, p));
+      const Lanes per_volume = 1.0 / map.volume;
+      TensorLanes gradient = gradient_at(map, per_volume, slopes_at(v, p));
       if constexpr (Quadrature::has_mean_dilatation)
         gradient = mixed(gradient, midpoint.velocity_gradient, properties.deviatoric_parameter);
       const PointStep at_point =
           update_point(properties.law, split_motion(gradient, motion.dt), points.subspan(p * size, size));
       sums.work += at_point.work * map.volume;
-      add_bounds(map, at_point.moduli, sums);
+      add_bounds(map, per_volume, at_point.moduli, sums);
     }
     return sums;
   }
