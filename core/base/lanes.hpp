@@ -10,8 +10,9 @@
 #include <cstdint>
 #include <cstring>
 
-/// Numbers of eight elements at a time, in the compiler's vectors: one register of AVX-512, two of AVX, four of
-/// SSE. Members have the names that Eigen's arrays give them. Operations of lanes are IEEE's on every processor.
+/// Numbers of eight elements at a time, in the compiler's vectors: one register of AVX-512, two of AVX, four
+/// of SSE. Members have the names that Eigen's arrays give them. Operations of lanes are IEEE's on every
+/// processor.
 namespace contactsim {
 
 /// Element kernels and material laws work on this many elements at a time, one per lane.

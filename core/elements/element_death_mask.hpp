@@ -34,8 +34,7 @@ class ElementDeathMask {
   /// The dead stand where a living element stands.
   template <std::size_t n>
   void place(NodeVectors<n>& x) const {
-    if (is_mixed_)
-      visit(x, [this](Lanes& values) { values = lives_.select(values, values(living_)); });
+    if (is_mixed_) visit(x, [this](Lanes& values) { values = lives_.select(values, values(living_)); });
   }
   /// The dead do not move.
   template <std::size_t n>

@@ -40,7 +40,8 @@ void NodeSums::add(std::span<const NodeVector> parts, Eigen::Matrix3Xd& forces) 
 
 void NodeSums::add(std::span<const NodeVector> parts, const NodeRanges& nodes,
                    Eigen::Matrix3Xd& forces) const {
-  const auto part = [&, places = places_.data(), n = places_.size()](std::uint32_t entry) -> const NodeVector& {
+  const auto part = [&, places = places_.data(),
+                     n = places_.size()](std::uint32_t entry) -> const NodeVector& {
     constexpr std::size_t ahead = 32;  // parts that are fetched meanwhile, of other chunks from far away
     if (entry + ahead < n) __builtin_prefetch(&parts[places[entry + ahead]]);
     return parts[places[entry]];

@@ -60,8 +60,8 @@ struct PlaneConsistency {
     return ((trial / min_flow.max(smallest * trial) - 1.0) / std::min(a, b)).max(0.0);
   }
 
-  /// The flow of a stress all of which falls as fast as it does at first, with the hardening of the start: off by
-  /// the square of the step.
+  /// The flow of a stress all of which falls as fast as it does at first, with the hardening of the start:
+  /// off by the square of the step.
   Lanes radial_guess(const Lanes& trial, const FlowStress& start) const {
     const Lanes square = sum_part + difference_part, fall = a * sum_part + b * difference_part;
     return (trial - start.value) * square / (fall * start.value + 2.0 / 3.0 * start.slope * square * trial);

@@ -51,8 +51,9 @@ struct Consistency {
   double dt;         ///< [time]
 
   /// Zero where the step is elastic. The residual falls with x, so the root lies between 0 and the x that the
-  /// least hardening would give; Newton's steps that leave the bracket are replaced by halving it. The first guess
-  /// is the step with the hardening of the start, unless that is so steep that it can only be about to fall.
+  /// least hardening would give; Newton's steps that leave the bracket are replaced by halving it. The first
+  /// guess is the step with the hardening of the start, unless that is so steep that it can only be about to
+  /// fall.
   ///   start  the flow stress at x = 0
   Lanes solve(const FlowStress& start) const {
     constexpr double tolerance = 1e-12;  // of the trial stress

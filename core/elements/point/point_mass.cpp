@@ -9,7 +9,8 @@ namespace {
 /// Points have none; their density is their mass.
 void unit_volumes(const ModelBlock&, const BatchChunk& chunk, const Eigen::Matrix3Xd&,
                   std::span<Lanes> volumes) {
-  for (std::size_t i = chunk.first_batch; i < chunk.first_batch + chunk.n_batches; ++i) volumes[i].setConstant(1.0);
+  for (std::size_t i = chunk.first_batch; i < chunk.first_batch + chunk.n_batches; ++i)
+    volumes[i].setConstant(1.0);
 }
 
 ChunkStep advance_point(const ModelBlock&, const BatchChunk&, const Motion&, ModelBlockState&) {

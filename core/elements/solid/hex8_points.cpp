@@ -75,7 +75,7 @@ void add_bounds(const PointMap& map, const Lanes& per_volume, const LaneModuli& 
 
 /// Adds the forces of the stress at a point on the natural slopes of the motion.
 void add_forces_on_slopes(const SymmetricLanes& stress, const PointMap& map, std::size_t point,
-                        VectorSlopes& amounts) {
+                          VectorSlopes& amounts) {
   const auto& c = map.cofactors;
   for (std::size_t i = 0; i < 3; ++i) {
     const auto& place = symmetric_place[i];
@@ -115,8 +115,9 @@ struct PointHex {
     return volume_of_points(vector_slopes(base_sums<HexGeometry>(x)));
   }
   ///   state  [n_points x (6 + material) + n_own]
-  [[gnu::flatten]] static void advance(const ElementProperties& properties, const SolidMotion<8>& nodal_motion,
-                      std::span<Lanes> state, SolidStep<8>& step) {
+  [[gnu::flatten]] static void advance(const ElementProperties& properties,
+                                       const SolidMotion<8>& nodal_motion, std::span<Lanes> state,
+                                       SolidStep<8>& step) {
     const SolidMotion<7> motion = base_motion<HexGeometry>(nodal_motion);
     const MidpointKinematics<HexGeometry> midpoint(motion);
     const std::span<Lanes> points = state.first(state.size() - n_own), own = state.subspan(points.size());

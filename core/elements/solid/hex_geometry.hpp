@@ -8,12 +8,13 @@
 namespace contactsim {
 
 /// Values at the eight nodes of hexahedra, Exodus order, summed with the signs that xi, eta, zeta, eta zeta,
-/// xi zeta, xi eta and xi eta zeta have there. The eighth sum, all of them, is not needed: a shift of all nodes
-/// does nothing.
+/// xi zeta, xi eta and xi eta zeta have there. The eighth sum, all of them, is not needed: a shift of all
+/// nodes does nothing.
 using HexSums = std::array<Lanes, 7>;
 
-/// Mean quadrature of eight-node hexahedra in their volumetric and hourglass base vectors, which are orthogonal;
-/// see uniform_gradient.hpp. Source: Flanagan and Belytschko, Int. J. Numer. Meth. Eng. 17 (1981) 679-706, eq. 26.
+/// Mean quadrature of eight-node hexahedra in their volumetric and hourglass base vectors, which are
+/// orthogonal; see base_vectors.hpp. Source: Flanagan and Belytschko, Int. J. Numer. Meth. Eng. 17 (1981)
+/// 679-706, eq. 26.
 struct HexGeometry {
   static constexpr std::size_t n_nodes = 8, n_base = 7, n_gradient = 6, n_modes = 4;
   static constexpr double base_norm = 8.0, mode_norm = 2.8284271247461903;
@@ -28,7 +29,8 @@ struct HexGeometry {
   }
   static std::array<Lanes, 8> at_nodes(const HexSums& f) {
     const Lanes sum = f[0] + f[1], difference = f[0] - f[1];
-    const Lanes even_0 = f[5] - sum, even_1 = difference - f[5], even_2 = sum + f[5], even_3 = difference + f[5];
+    const Lanes even_0 = f[5] - sum, even_1 = difference - f[5], even_2 = sum + f[5],
+                even_3 = difference + f[5];
     const Lanes plus = f[2] + f[6], minus = f[2] - f[6], odd_sum = f[3] + f[4], odd_difference = f[4] - f[3];
     const Lanes odd_0 = plus - odd_sum, odd_1 = minus + odd_difference, odd_2 = plus + odd_sum,
                 odd_3 = minus - odd_difference;
@@ -36,8 +38,8 @@ struct HexGeometry {
             even_0 + odd_0, even_1 + odd_1, even_2 + odd_2, odd_3 - even_3};
   }
 
-  /// The volume is the integral of the determinant of the map from natural coordinates. With s_k the sums of the
-  /// coordinates it is, after the odd powers have dropped out,
+  /// The volume is the integral of the determinant of the map from natural coordinates. With s_k the sums of
+  /// the coordinates it is, after the odd powers have dropped out,
   ///   (det(s_0, s_1, s_2) + (det(s_0, s_5, s_4) + det(s_5, s_1, s_3) + det(s_4, s_3, s_2)) / 3) / 64:
   /// the sum with xi eta zeta is not in it.
   static NodeVectors<6> volume_gradient(const NodeVectors<7>& x) {

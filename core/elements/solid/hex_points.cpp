@@ -8,10 +8,10 @@ namespace {
 constexpr double at = 0.57735026918962573;  // 1 / sqrt(3)
 constexpr double eighth = 0.125;
 
-/// What the sums of a field are times as its coefficients of xi, eta, zeta, eta zeta, xi zeta, xi eta, xi eta zeta,
-/// the products scaled to the points.
-constexpr std::array<double, 7> share = {eighth,      eighth,      eighth,          eighth * at,
-                                         eighth * at, eighth * at, eighth * at * at};
+/// What the sums of a field are times as its coefficients of xi, eta, zeta, eta zeta, xi zeta, xi eta, xi eta
+/// zeta, the products scaled to the points.
+constexpr std::array<double, 7> share = {eighth,     eighth,     eighth,        eighth* at,
+                                         eighth* at, eighth* at, eighth* at* at};
 
 /// Values of constant + first * x + second * y + product * x y for the signs of x and y.
 std::array<Lanes, 4> spread(const Lanes& constant, const Lanes& first, const Lanes& second,

@@ -1,13 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "core/elements/solid_kernel.hpp"
+#include "core/elements/solid/base_vectors.hpp"
 
 namespace contactsim {
-
-/// A vector of each base vector, [component][base vector]; see uniform_gradient.hpp for what Geometry is.
-template <class Geometry>
-using BaseVectors = NodeVectors<Geometry::n_base>;
 
 /// An amount of each hourglass mode, [component][mode].
 template <class Geometry>
@@ -25,11 +21,11 @@ struct MidpointKinematics {
   static constexpr std::size_t n = Geometry::n_base;
   NodeVectors<n> x;                            ///< base sums of the coordinates [length]
   NodeVectors<Geometry::n_gradient> gradient;  ///< of the volume, by them [length^2]
-  Lanes volume, per_volume;       ///< and one over it
-  Lanes gradient_norm;            ///< B:B [length^4]
-  Lanes largest_eigenvalue;       ///< bound for that of B B^T [length^4]
-  TensorLanes velocity_gradient;  ///< [1/time]
-  ModeVectors<Geometry> x_modes;  ///< the modes summed with the coordinates [length]
+  Lanes volume, per_volume;                    ///< and one over it
+  Lanes gradient_norm;                         ///< B:B [length^4]
+  Lanes largest_eigenvalue;                    ///< bound for that of B B^T [length^4]
+  TensorLanes velocity_gradient;               ///< [1/time]
+  ModeVectors<Geometry> x_modes;               ///< the modes summed with the coordinates [length]
   Lanes mode_bound;  ///< of the squares of hourglass_rates, summed, over those of the velocities [1]
 
   explicit MidpointKinematics(const SolidMotion<n>& motion) {

@@ -9,7 +9,7 @@ namespace contactsim {
 
 namespace {
 
-/// Mean quadrature of five-node pyramids; see uniform_gradient.hpp. The hourglass mode is that of the base,
+/// Mean quadrature of five-node pyramids; see base_vectors.hpp. The hourglass mode is that of the base,
 /// orthogonal to linear fields when that is a parallelogram. Source: Belytschko and others, Comput. Meth.
 /// Appl. Mech. Eng. 43 (1984) 251-276, for the quadrilateral.
 struct PyramidGeometry : NodeBase<5> {

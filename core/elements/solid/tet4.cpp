@@ -7,7 +7,7 @@ namespace contactsim {
 
 namespace {
 
-/// Four-node tetrahedra; see uniform_gradient.hpp. Their gradients are uniform: there are no hourglass modes.
+/// Four-node tetrahedra; see base_vectors.hpp. Their gradients are uniform: there are no hourglass modes.
 struct TetGeometry : NodeBase<4> {
   static constexpr std::size_t n_modes = 0;
   static constexpr double mode_norm = 1.0;  ///< of none

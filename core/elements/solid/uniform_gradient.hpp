@@ -3,72 +3,17 @@
 
 #include <string_view>
 
+#include "core/elements/solid/bulk_viscosity.hpp"
 #include "core/elements/solid/hourglass.hpp"
 #include "core/elements/solid/material_point.hpp"
 #include "core/mesh/topology.hpp"
 
-/// Solid elements that take strain and stress as uniform, from the mean gradients of their shape functions. Their
-/// kernel works in base vectors: the nodal values of a field are known by their sums with vectors that are
-/// orthogonal to each other and equally long, nodal forces by the amounts of these vectors that they are made of. A
-/// geometry states
-///   n_nodes, n_base   base vectors; a motion of all nodes alike need not be among them
-///   n_gradient        the first base vectors, those by whose sums the volume changes
-///   n_modes           hourglass modes, nodal motions without a mean gradient
-///   base_norm         the square of the Euclidean norm of every base vector
-///   mode_norm         the Euclidean norm of every hourglass mode
-/// and has
-///   base_sums(values)      of a value at each node
-///   at_nodes(amounts)      the transpose: base vectors times amounts
-///   volume_gradient(x)     derivatives of the volume by the base sums of the coordinates, which are also the volume
-///                          times the mean gradients of the shape functions, as amounts [length^2]
-///   mode_sums(sums)        the modes summed with a value at each node
-///   add_modes(a, amounts)  adds the modes times a: the transpose
-/// Products of a field and of forces are the same in sums and amounts as they are at the nodes.
+/// Solid elements that take strain and stress as uniform, from the mean gradients of their shape functions.
+/// Their kernel works in base vectors, see base_vectors.hpp.
 namespace contactsim {
 
-/// Bulk viscosity: linear in the dilatation rate, and quadratic while the elements close. Its length is that
-/// which a wave crosses in the undamped stable step. Source: Abaqus Theory Guide, explicit dynamic analysis.
-struct BulkViscosity {
-  Lanes stress;       ///< to be added to the diagonal [force/length^2]
-  Lanes stable_step;  ///< the undamped one shortened by the viscosity [time]
-
-  ///   undamped    stable step without viscosity [time]
-  ///   dilatation  rate of volume change [1/time]
-  ///   density     [mass/length^3]
-  ///   wave_speed  of pressure [length/time]
-  BulkViscosity(const ElementProperties& properties, const Lanes& undamped, const Lanes& dilatation,
-                const Lanes& density, const Lanes& wave_speed) {
-    const double linear = properties.linear_bulk_viscosity;
-    const double quadratic = properties.quadratic_bulk_viscosity * properties.quadratic_bulk_viscosity;
-    const Lanes closing = dilatation.min(0.0);
-    const Lanes damping = linear - quadratic * undamped * closing;
-    stable_step = undamped * ((1.0 + damping * damping).sqrt() - damping);
-    const Lanes length = undamped * wave_speed;
-    stress = density * length * (linear * wave_speed * dilatation - quadratic * length * closing * closing);
-  }
-};
-
-/// The base vectors of nodes themselves.
-template <std::size_t n>
-struct NodeBase {
-  static constexpr std::size_t n_nodes = n, n_base = n, n_gradient = n;
-  static constexpr double base_norm = 1.0;
-  static const std::array<Lanes, n>& base_sums(const std::array<Lanes, n>& values) { return values; }
-  static const std::array<Lanes, n>& at_nodes(const std::array<Lanes, n>& amounts) { return amounts; }
-};
-
-/// The base sums of vectors at the nodes.
-template <class Geometry>
-BaseVectors<Geometry> base_sums(const NodeVectors<Geometry::n_nodes>& v) {
-  return {Geometry::base_sums(v[0]), Geometry::base_sums(v[1]), Geometry::base_sums(v[2])};
-}
-
-template <class Geometry>
-SolidMotion<Geometry::n_base> base_motion(const SolidMotion<Geometry::n_nodes>& motion) {
-  return {base_sums<Geometry>(motion.x), base_sums<Geometry>(motion.v), motion.mass, motion.dt};
-}
-
-/// The forces of a stress and of hourglass forces, whose share of the linear motion is taken off. Sets the volume.
+/// The forces of a stress and of hourglass forces, whose share of the linear motion is taken off. Sets the
+/// volume.
 template <class Geometry>
 BaseVectors<Geometry> base_forces(const SymmetricLanes& stress, const ModeVectors<Geometry>& hourglass,
                                   const BaseVectors<Geometry>& x, Lanes& volume) {
@@ -92,11 +37,6 @@ BaseVectors<Geometry> base_forces(const SymmetricLanes& stress, const ModeVector
     Geometry::add_modes(amounts, forces[i]);
   }
   return forces;
-}
-
-template <class Geometry>
-void set_nodal_forces(const BaseVectors<Geometry>& forces, SolidStep<Geometry::n_nodes>& step) {
-  for (std::size_t i = 0; i < 3; ++i) step.force[i] = Geometry::at_nodes(forces[i]);
 }
 
 /// Brings eight elements to the end of a step. Strain from the gradient in the middle of the step, stress
@@ -139,8 +79,8 @@ void advance_uniform_gradient(const ElementProperties& properties,
   const auto hourglass =
       update_hourglass<Geometry>(motion, midpoint, stiffness, damping, split.rotation, own);
   step.hourglass_work = hourglass.work;
-  set_nodal_forces<Geometry>(
-      base_forces<Geometry>(at_point.stress, hourglass.force, motion.x, step.volume), step);
+  set_nodal_forces<Geometry>(base_forces<Geometry>(at_point.stress, hourglass.force, motion.x, step.volume),
+                             step);
 }
 
 /// An element of this kind: one integration point, hourglass forces of its own.

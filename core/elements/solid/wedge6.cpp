@@ -9,7 +9,7 @@ namespace contactsim {
 
 namespace {
 
-/// Mean quadrature of six-node wedges; see uniform_gradient.hpp. The hourglass modes turn the two triangles
+/// Mean quadrature of six-node wedges; see base_vectors.hpp. The hourglass modes turn the two triangles
 /// against each other: the two fields on a triangle without a mean, one way below and the other way above.
 /// They are orthogonal to linear fields on prisms. Source: Belytschko and others, Comput. Meth. Appl. Mech.
 /// Eng. 43 (1984) 251-276, for the idea; the hourglass modes by hand.

@@ -23,13 +23,15 @@ Lanes row(double first, double step) {
 
 TEST_CASE("lanes compute as numbers do, each for itself", "[core][lanes]") {
   const Lanes a = row(1.0, 0.7), b = row(-2.0, 0.9);
-  const Lanes all[] = {a + b, a - b, a * b, a / b, -a, a.sqrt(), b.abs(), a.exp(), a.log(), a.cos(), 2.0 * a - 1.0};
+  const Lanes all[] = {a + b,   a - b,   a * b,   a / b,   -a,           a.sqrt(),
+                       b.abs(), a.exp(), a.log(), a.cos(), 2.0 * a - 1.0};
   for (Eigen::Index lane = 0; lane < n_lanes; ++lane) {
     const double x = a(lane), y = b(lane);
     const double exact[] = {x + y, x - y, x * y, x / y, -x, std::sqrt(x), std::fabs(y)};
     for (std::size_t i = 0; i < 7; ++i) CHECK(all[i](lane) == exact[i]);
     const double near[] = {std::exp(x), std::log(x), std::cos(x), 2.0 * x - 1.0};
-    for (std::size_t i = 0; i < 4; ++i) CHECK(all[7 + i](lane) == Approx(near[i]).epsilon(1e-15).margin(1e-15));
+    for (std::size_t i = 0; i < 4; ++i)
+      CHECK(all[7 + i](lane) == Approx(near[i]).epsilon(1e-15).margin(1e-15));
   }
 }
 
@@ -68,7 +70,8 @@ TEST_CASE("masks hold where comparisons do, and nothing compares with what is no
 
 TEST_CASE("masks are made of bits, the lowest for the first lane", "[core][lanes]") {
   const LaneMask mask = LaneMask::of_bits(0b10000101);
-  for (Eigen::Index lane = 0; lane < n_lanes; ++lane) CHECK(mask(lane) == (lane == 0 || lane == 2 || lane == 7));
+  for (Eigen::Index lane = 0; lane < n_lanes; ++lane)
+    CHECK(mask(lane) == (lane == 0 || lane == 2 || lane == 7));
   CHECK(LaneMask(true).all());
   CHECK_FALSE(LaneMask(false).any());
   for (std::size_t n = 0; n <= n_lanes; ++n) {

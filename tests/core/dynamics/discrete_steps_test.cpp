@@ -34,7 +34,9 @@ struct Chain {
       model.mass.col(static_cast<Eigen::Index>(i)).setConstant(masses[i]);
     set_discrete_steps(model);
   }
-  double step() const { return model.blocks[0].discrete.stable_step[0].eigen().head(mesh.n_elements()).minCoeff(); }
+  double step() const {
+    return model.blocks[0].discrete.stable_step[0].eigen().head(mesh.n_elements()).minCoeff();
+  }
 };
 
 }  // namespace

@@ -6,7 +6,7 @@
 #include <random>
 #include <vector>
 
-#include "core/elements/solid/uniform_gradient.hpp"
+#include "core/elements/solid/base_vectors.hpp"
 #include "core/mesh/element_checks.hpp"
 #include "support/catch.hpp"
 
@@ -102,7 +102,8 @@ TEST_CASE("gradients of a linear field are exact whatever the shape", "[core][el
   }
 }
 
-TEST_CASE("sums with the base vectors and their transpose are the products with the signs", "[core][elements]") {
+TEST_CASE("sums with the base vectors and their transpose are the products with the signs",
+          "[core][elements]") {
   const std::array<Lanes, 8> values = distorted_cubes()[0];
   const HexSums sums = HexGeometry::base_sums(values);
   for (std::size_t k = 0; k < sums.size(); ++k) {

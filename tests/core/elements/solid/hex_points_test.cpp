@@ -4,7 +4,7 @@
 #include <cmath>
 #include <random>
 
-#include "core/elements/solid/uniform_gradient.hpp"
+#include "core/elements/solid/base_vectors.hpp"
 #include "support/catch.hpp"
 
 using namespace contactsim;
