@@ -195,9 +195,9 @@ struct PointHex {
       return none;
     }
     const Lanes stiffness = modulus * midpoint.gradient_norm * midpoint.per_volume;
-    const Lanes damping = properties.hourglass_viscosity * (motion.mass * stiffness).sqrt();
     const TensorLanes rotation = split_motion(midpoint.velocity_gradient, motion.dt).rotation;
-    return update_hourglass<HexGeometry>(motion, midpoint, stiffness, damping, rotation, own);
+    return update_hourglass<HexGeometry>(
+        motion, midpoint, stiffness, hourglass_viscosity(properties, motion.mass, stiffness), rotation, own);
   }
 
   static PointForces split_stresses(const ElementProperties& properties, const NodeVectors<7>& x,

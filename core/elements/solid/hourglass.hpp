@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <optional>
+
 #include "core/elements/solid/midpoint_kinematics.hpp"
 
 /// Resistance to the motions of uniform-gradient elements that have no mean gradient.
@@ -40,17 +42,41 @@ inline void turn_vectors(const TensorLanes& rotation, std::span<Lanes> v) {
   }
 }
 
+/// Adds viscous forces and their work.
+///   viscosity  [force time/length]
+template <class Geometry>
+void damp_hourglass(const ModeVectors<Geometry>& rates, const Lanes& viscosity, double dt,
+                    HourglassStep<Geometry>& step) {
+  Lanes power = Lanes::Zero();
+  for (std::size_t i = 0; i < 3; ++i) {
+    for (std::size_t k = 0; k < Geometry::n_modes; ++k) {
+      const Lanes damping = viscosity * rates[i][k];
+      power += damping * rates[i][k];
+      step.force[i][k] += damping;
+    }
+  }
+  step.work += dt * power;
+}
+
+/// The viscosity of a block's hourglass resistance, if it has any [force time/length].
+///   stiffness  [force/length]
+inline std::optional<Lanes> hourglass_viscosity(const ElementProperties& properties, const Lanes& mass,
+                                                const Lanes& stiffness) {
+  if (properties.hourglass_viscosity == 0.0) return std::nullopt;
+  return properties.hourglass_viscosity * (mass * stiffness).sqrt();
+}
+
 /// Brings the elastic hourglass forces to the end of the step and adds the viscous ones. What the elastic
 /// ones grow by is added half before the step's rotation and half after, as update_point does.
 ///   motion     of base sums
 ///   stiffness  [force/length]
-///   viscosity  [force time/length]
+///   viscosity  if there is any [force time/length]
 ///   rotation   of the step
 ///   elastic    [3 x n_modes]
 template <class Geometry>
 HourglassStep<Geometry> update_hourglass(const SolidMotion<Geometry::n_base>& motion,
                                          const MidpointKinematics<Geometry>& midpoint, const Lanes& stiffness,
-                                         const Lanes& viscosity, const TensorLanes& rotation,
+                                         const std::optional<Lanes>& viscosity, const TensorLanes& rotation,
                                          std::span<Lanes> elastic) {
   constexpr std::size_t n = Geometry::n_modes;
   HourglassStep<Geometry> step;
@@ -66,14 +92,14 @@ HourglassStep<Geometry> update_hourglass(const SolidMotion<Geometry::n_base>& mo
   Lanes end_power = Lanes::Zero();
   for (std::size_t i = 0; i < 3; ++i) {
     for (std::size_t k = 0; k < n; ++k) {
-      const Lanes rate = rates[i][k], damping = viscosity * rate;
       Lanes& force = elastic[i * n + k];
-      force += half * rate;
-      end_power += rate * (force + 2.0 * damping);
-      step.force[i][k] = force + damping;
+      force += half * rates[i][k];
+      end_power += rates[i][k] * force;
+      step.force[i][k] = force;
     }
   }
   step.work = 0.5 * motion.dt * (step.work + end_power);
+  if (viscosity) damp_hourglass<Geometry>(rates, *viscosity, motion.dt, step);
   return step;
 }
 

@@ -63,7 +63,9 @@ PointStep update_point(const MaterialLaw& law, const StepMotion& motion, std::sp
   PointStep step{before, {}, {}};
   step.moduli = advance_stress(law, motion, material, step.stress);
   store(step.stress, point);
-  step.work = 0.5 * (contract(before, motion.strain.strain) + contract(step.stress, motion.strain.strain));
+  SymmetricLanes both_ends = before;
+  for (std::size_t i = 0; i < 6; ++i) both_ends[i] += step.stress[i];
+  step.work = 0.5 * contract(both_ends, motion.strain.strain);
   return step;
 }
 

@@ -75,9 +75,9 @@ void advance_uniform_gradient(const ElementProperties& properties,
   for (std::size_t i = 0; i < 3; ++i) at_point.stress[i] += viscosity.stress;
 
   const Lanes stiffness = hourglass_modulus * midpoint.gradient_norm * midpoint.per_volume;
-  const Lanes damping = properties.hourglass_viscosity * (motion.mass * stiffness).sqrt();
+  const auto viscosity_of_modes = hourglass_viscosity(properties, motion.mass, stiffness);
   const auto hourglass =
-      update_hourglass<Geometry>(motion, midpoint, stiffness, damping, split.rotation, own);
+      update_hourglass<Geometry>(motion, midpoint, stiffness, viscosity_of_modes, split.rotation, own);
   step.hourglass_work = hourglass.work;
   set_nodal_forces<Geometry>(base_forces<Geometry>(at_point.stress, hourglass.force, motion.x, step.volume),
                              step);
