@@ -51,21 +51,10 @@ class NodeRanges {
   void visit_in(std::span<const NodeIndex> list, const Function& function) const {
     if (are_all_) return parallel_for(list.size(), threads_for(list.size()), function);
     visit([&](std::int64_t begin, std::int64_t end) {
-      for (std::size_t k = first_from(list, begin); k < list.size() && list[k].value < end; ++k) function(k);
-    });
-  }
-
-  /// The same, and calls between(begin, end) for the stretches of these nodes that are not in the list.
-  template <class Function, class Between>
-  void visit_in(std::span<const NodeIndex> list, const Function& function, const Between& between) const {
-    visit([&](std::int64_t begin, std::int64_t end) {
-      std::int64_t next = begin;
-      for (std::size_t k = first_from(list, begin); k < list.size() && list[k].value < end; ++k) {
-        if (next < list[k].value) between(next, std::int64_t{list[k].value});
+      const auto first = std::ranges::lower_bound(list, NodeIndex{static_cast<std::uint32_t>(begin)});
+      for (auto k = static_cast<std::size_t>(first - list.begin()); k < list.size() && list[k].value < end;
+           ++k)
         function(k);
-        next = std::int64_t{list[k].value} + 1;
-      }
-      if (next < end) between(next, end);
     });
   }
 
@@ -76,12 +65,6 @@ class NodeRanges {
   }
 
  private:
-  /// Where the nodes from one on stand in a list.
-  static std::size_t first_from(std::span<const NodeIndex> list, std::int64_t node) {
-    const auto first = std::ranges::lower_bound(list, NodeIndex{static_cast<std::uint32_t>(node)});
-    return static_cast<std::size_t>(first - list.begin());
-  }
-
   NodeRange all_;  // or their number
   bool are_all_ = true;
   std::vector<NodeRange> some_;

@@ -78,16 +78,6 @@ std::span<const ChunkStep> InternalForce::steps_of(std::size_t block) const {
   return std::span(chunks_).subspan(first_chunk_[block], first_chunk_[block + 1] - first_chunk_[block]);
 }
 
-void InternalForce::add_to_nodes(const NodeSums& sums, std::span<const NodeVector> parts, bool& is_first,
-                                 Eigen::Matrix3Xd& forces) const {
-  if (is_first) {
-    sums.set(parts, nodes_, forces);
-  } else {
-    sums.add(parts, nodes_, forces);
-  }
-  is_first = false;
-}
-
 void InternalForce::advance_chunks(const Motion& motion) {
   for (std::size_t index = 0; index < model_.blocks.size(); ++index) {
     const ModelBlock& block = model_.blocks[index];
@@ -131,8 +121,8 @@ struct StableSteps {
 }  // namespace
 
 ForceReport InternalForce::set_forces(const Motion& motion, Eigen::Matrix3Xd& forces) {
+  nodes_.set_zero(forces);
   advance_chunks(motion);
-  bool is_first = true;
   ForceReport report;
   StableSteps steps;
   for (std::size_t index = 0; index < model_.blocks.size(); ++index) {
@@ -153,9 +143,8 @@ ForceReport InternalForce::set_forces(const Motion& motion, Eigen::Matrix3Xd& fo
       state_.blocks[index].hourglass_work += chunk.hourglass_work;
       report.viscous_work += chunk.viscous_work;
     }
-    add_to_nodes(block.sums, state_.blocks[index].forces, is_first, forces);
+    block.sums.add(state_.blocks[index].forces, nodes_, forces);
   }
-  if (is_first) nodes_.set_zero(forces);
   report.stable_step = combined_step(steps.material, steps.stiffness, steps.damping);
   if (std::isinf(report.stable_step)) {
     if (std::isinf(idle_step_)) idle_step_ = find_step_at_rest(model_, false);
@@ -166,13 +155,12 @@ ForceReport InternalForce::set_forces(const Motion& motion, Eigen::Matrix3Xd& fo
 }
 
 void InternalForce::set_moments(const Motion& /*motion*/, Eigen::Matrix3Xd& moments) {
-  bool is_first = true;
+  nodes_.set_zero(moments);
   for (std::size_t index = 0; index < model_.blocks.size(); ++index) {
     const ModelBlock& block = model_.blocks[index];
     if (block.element->has_rotations && !block.is_rigid)
-      add_to_nodes(block.sums, state_.blocks[index].moments, is_first, moments);
+      block.sums.add(state_.blocks[index].moments, nodes_, moments);
   }
-  if (is_first) nodes_.set_zero(moments);
 }
 
 }  // namespace contactsim

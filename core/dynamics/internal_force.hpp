@@ -32,9 +32,6 @@ class InternalForce final : public ForceTerm {
 
  private:
   void advance_chunks(const Motion& motion);
-  /// Sets the forces where these are the first, adds to them else.
-  void add_to_nodes(const NodeSums& sums, std::span<const NodeVector> parts, bool& is_first,
-                    Eigen::Matrix3Xd& forces) const;
   std::span<const ChunkStep> steps_of(std::size_t block) const;
 
   const Model& model_;

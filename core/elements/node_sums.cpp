@@ -38,33 +38,19 @@ void NodeSums::add(std::span<const NodeVector> parts, Eigen::Matrix3Xd& forces) 
   add(parts, NodeRanges(forces.cols()), forces);
 }
 
-/// Of the k-th of the nodes.
-[[gnu::always_inline]] inline NodeVector NodeSums::sum_at(std::span<const NodeVector> parts,
-                                                          std::size_t k) const {
-  const auto part = [&](std::uint32_t entry) -> const NodeVector& {
-    constexpr std::size_t ahead = 32;  // parts that are fetched meanwhile, of other chunks from far away
-    if (entry + ahead < places_.size()) __builtin_prefetch(&parts[places_[entry + ahead]]);
-    return parts[places_[entry]];
-  };
-  NodeVector sum = part(begin_[k]);
-  for (std::uint32_t entry = begin_[k] + 1; entry < begin_[k + 1]; ++entry) sum += part(entry);
-  return sum;
-}
-
 void NodeSums::add(std::span<const NodeVector> parts, const NodeRanges& nodes,
                    Eigen::Matrix3Xd& forces) const {
-  nodes.visit_in(nodes_, [&](std::size_t k) { forces.col(nodes_[k].value) += sum_at(parts, k).head<3>(); });
-}
-
-void NodeSums::set(std::span<const NodeVector> parts, const NodeRanges& nodes,
-                   Eigen::Matrix3Xd& forces) const {
-  // Zero is added so that none is set to -0.
-  nodes.visit_in(
-      nodes_,
-      [&](std::size_t k) {
-        forces.col(nodes_[k].value) = Eigen::Vector3d::Zero() + sum_at(parts, k).head<3>();
-      },
-      [&](std::int64_t begin, std::int64_t end) { forces.middleCols(begin, end - begin).setZero(); });
+  const auto part = [&, places = places_.data(),
+                     n = places_.size()](std::uint32_t entry) -> const NodeVector& {
+    constexpr std::size_t ahead = 32;  // parts that are fetched meanwhile, of other chunks from far away
+    if (entry + ahead < n) __builtin_prefetch(&parts[places[entry + ahead]]);
+    return parts[places[entry]];
+  };
+  nodes.visit_in(nodes_, [&](std::size_t k) {
+    NodeVector sum = part(begin_[k]);
+    for (std::uint32_t entry = begin_[k] + 1; entry < begin_[k + 1]; ++entry) sum += part(entry);
+    forces.col(nodes_[k].value) += sum.head<3>();
+  });
 }
 
 }  // namespace contactsim

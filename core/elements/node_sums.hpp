@@ -33,12 +33,8 @@ class NodeSums {
   void add(std::span<const NodeVector> parts, Eigen::Matrix3Xd& forces) const;
   /// The same of those among some nodes.
   void add(std::span<const NodeVector> parts, const NodeRanges& nodes, Eigen::Matrix3Xd& forces) const;
-  /// Sets the forces of some nodes, to zero where none of their places is.
-  void set(std::span<const NodeVector> parts, const NodeRanges& nodes, Eigen::Matrix3Xd& forces) const;
 
  private:
-  NodeVector sum_at(std::span<const NodeVector> parts, std::size_t k) const;
-
   std::vector<NodeIndex> nodes_;
   std::vector<std::uint32_t> begin_;   ///< [nodes_.size() + 1] first entry of each in places_
   std::vector<std::uint32_t> places_;  ///< by node

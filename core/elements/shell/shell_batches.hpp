@@ -62,7 +62,6 @@ ChunkStep advance_shells(const ModelBlock& block, const BatchChunk& chunk, const
   ElementDeathMask mask(block, state);
   for (std::size_t i = chunk.first_batch; i < chunk.first_batch + chunk.n_batches; ++i) {
     if (!mask.begin(i)) continue;
-    fetch_ahead(block, chunk, i, state, {&motion.coordinates, &motion.velocity});
     const ChunkNode* nodes = block.nodes.data() + i * n * n_lanes;
     const std::span<Lanes> values = state.batch(block.layout, i);
     ShellMotion<n> shell_motion{gather<n>(nodes, x.data()),

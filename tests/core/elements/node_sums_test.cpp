@@ -3,8 +3,6 @@
 
 #include <omp.h>
 
-#include <cmath>
-
 #include "support/catch.hpp"
 
 using namespace contactsim;
@@ -36,21 +34,6 @@ TEST_CASE("some of the places are added alone", "[core][elements]") {
   CHECK(forces.row(0) == Eigen::RowVectorXd{{0, 4, 0, 0, 6, 0}});
 }
 
-TEST_CASE("forces of some nodes are set to the sums, to zero between them, and others stay",
-          "[core][elements]") {
-  const std::vector<std::uint32_t> nodes{4, 1, 4, 8};
-  const NodeSums sums(nodes, 10);
-  const std::vector<NodeVector> parts{NodeVector::Constant(1), NodeVector::Constant(-0.0),
-                                      NodeVector::Constant(3), NodeVector::Constant(5)};
-  Eigen::Matrix3Xd all = Eigen::Matrix3Xd::Constant(3, 10, 7.0), some = all;
-  sums.set(parts, NodeRanges(10), all);
-  CHECK(all.row(2) == Eigen::RowVectorXd{{0, 0, 0, 0, 4, 0, 0, 0, 5, 0}});
-  CHECK_FALSE(std::signbit(all(0, 1)));
-  const std::vector<NodeRange> ranges{{0, 1}, {2, 6}, {9, 10}};
-  sums.set(parts, NodeRanges(ranges), some);
-  CHECK(some.row(2) == Eigen::RowVectorXd{{0, 7, 0, 0, 4, 0, 7, 7, 7, 0}});
-}
-
 TEST_CASE("no places, no nodes", "[core][elements]") {
   Eigen::Matrix3Xd forces = Eigen::Matrix3Xd::Ones(3, 2);
   NodeSums().add({}, forces);
@@ -58,8 +41,6 @@ TEST_CASE("no places, no nodes", "[core][elements]") {
   CHECK(none.nodes().empty());
   none.add({}, forces);
   CHECK(forces == Eigen::Matrix3Xd::Ones(3, 2));
-  none.set({}, NodeRanges(2), forces);
-  CHECK(forces == Eigen::Matrix3Xd::Zero(3, 2));
 }
 
 TEST_CASE("sums at nodes have the same bits for any number of threads", "[core][elements]") {
