@@ -59,7 +59,7 @@ class Lanes {
   using EigenArray = Eigen::Array<double, n_lanes, 1>;
 
   Lanes() = default;
-  Lanes(double number) : lanes_(Vector{} + number) {}
+  Lanes(double a) : lanes_{a, a, a, a, a, a, a, a} {}
   Lanes(const Vector& lanes) : lanes_(lanes) {}
   template <class Derived>
   Lanes(const Eigen::ArrayBase<Derived>& array) {
