@@ -68,10 +68,10 @@ void NodeMobility::set_nodes(const Model& model, const ModelFreeDirections& dire
   for (const ContactNodeIndex i : contact_mesh.nodes()) {
     const NodeIndex node = contact_mesh.mesh_nodes[i];
     if (contact_mesh.first_alike[i] == i) contact_node_[node.value] = i;
-    const double mass = model.mass(0, node.value);
+    const double mass = model.mass(node.value);
     if (contact_mesh.first_alike[i] != i || !rigid_->is_free(node) || !is_positive(mass)) continue;
     const Eigen::Matrix3d* free = directions.of_node(node);
-    const double inertia = turns ? model.inertia(0, node.value) : 0.0;
+    const double inertia = turns ? model.inertia(node.value) : 0.0;
     const bool is_held = free != nullptr && free->isZero(0.0);
     const bool has_ring = kinematics_->spins().find(node).has_value();
     if (!is_positive(inertia) && !has_ring && (free == nullptr || is_held || *free == all)) {
