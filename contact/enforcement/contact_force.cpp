@@ -222,7 +222,8 @@ double ContactForce::end_step(double time, double dt) {
 
 std::optional<ForceReport> ContactForce::balance(const State& state, Eigen::Matrix3Xd& forces) {
   if (!balances_) return std::nullopt;
-  coming_.foresee(state, contact_mesh_, kinematics_);
+  kinematics_.foresee(state);
+  kinematics_.bound_watched();
   ContactStepContext context{kinematics_, rules_, constrained_, state.dt};
   context.depths = &depths_;
   context.balances = true;
