@@ -77,7 +77,7 @@ Mesh read_run_mesh(const Options& options, const SimulationDefinition& definitio
     mesh = omit_blocks(*model, std::move(mesh), problems);
     stop_on_errors(problems);
   }
-  return renumber_mesh(mesh);
+  return renumber_mesh(std::move(mesh));
 }
 
 }  // namespace contactsim

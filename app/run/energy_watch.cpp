@@ -23,7 +23,7 @@ constexpr int longest_settling = 30;
 double energy_of_round_off(const Model& model, double dt) {
   const double speed =
       std::numeric_limits<double>::epsilon() * model.mesh->coordinates().cwiseAbs().maxCoeff() / dt;
-  return 0.5 * model.mass.row(0).sum() * speed * speed;
+  return 0.5 * model.mass.sum() * speed * speed;
 }
 
 bool EnergyWatch::is_off(const State& state) {

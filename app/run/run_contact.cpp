@@ -164,8 +164,8 @@ void RunContact::warn_of_start(Diagnostics& warnings) const {
 
 void RunContact::warn_of_end(const State& state, Diagnostics& warnings) {
   // Contact may have seen a trial last that is not the state.
-  ContactKinematics now = force_.kinematics();
-  now.move_nodes(motion_of(state));
+  const Motion motion = motion_of(state);
+  const ContactKinematics now = force_.kinematics().at(motion);
   watch_.look(moment_of(state, now));
   if (!input_.procedure.implicit_by && state.energies.largest > energy_of_round_off(model_, state.dt))
     energy_.warn(contact_, state.energies, warnings);

@@ -6,7 +6,6 @@
 #include <span>
 #include <vector>
 
-#include "contact/enforcement/coming_motion.hpp"
 #include "contact/enforcement/contact_checkpoint.hpp"
 #include "contact/enforcement/contact_detection.hpp"
 #include "contact/enforcement/contact_mobility.hpp"
@@ -176,7 +175,6 @@ class ContactForce final : public ForceTerm, public StaticContact {
   MomentumBalance balance_;
   bool balances_ = false, has_penalty_ = false;  // some pair is enforced so
   bool balances_pulls_ = false;                  // one of the former has a law that pulls
-  ComingMotion coming_;
   ContactLoss last_loss_;
   BalanceReport balance_report_;
   std::vector<ContactPoint> points_;                 // of the step

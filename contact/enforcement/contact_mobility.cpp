@@ -45,9 +45,9 @@ double ContactMobility::mobility(const ContactKinematics& kinematics, ContactNod
   if (is_of_body(kinematics.contact_mesh(), node)) return body_mobility(kinematics, node, normal);
   const NodeIndex mesh_node = kinematics.contact_mesh().mesh_nodes[node];
   const double share = free_share(free_.of_node(mesh_node), normal);
-  const double mobility = share / model_.mass(0, mesh_node.value);
+  const double mobility = share / model_.mass(mesh_node.value);
   const Eigen::Vector3d beside = arm(kinematics, node);
-  const double inertia = model_.inertia.cols() > 0 ? model_.inertia(0, mesh_node.value) : 0.0;
+  const double inertia = model_.inertia.cols() > 0 ? model_.inertia(mesh_node.value) : 0.0;
   if (beside.isZero(0.0) || !(inertia > minimum_nodal_mass)) return mobility;
   if (free_share(free_.of_turns(mesh_node), nullptr) == 0.0) return mobility;
   const double lever = normal != nullptr ? beside.cross(*normal).squaredNorm() : beside.squaredNorm();
@@ -72,7 +72,7 @@ bool ContactMobility::is_held(const ContactKinematics& kinematics, ContactNodeIn
   constexpr double next_to_nothing = 1e-6;  // of what a free node gives way
   if (is_of_body(kinematics.contact_mesh(), node)) return false;
   if (free_.of_node(kinematics.contact_mesh().mesh_nodes[node]) == nullptr) return false;
-  const double mass = model_.mass(0, kinematics.contact_mesh().mesh_nodes[node].value);
+  const double mass = model_.mass(kinematics.contact_mesh().mesh_nodes[node].value);
   return mobility(kinematics, node, normal) * mass < next_to_nothing;
 }
 
@@ -127,7 +127,7 @@ Eigen::Vector3d ContactMobility::acceleration(const ContactMesh& contact_mesh, C
   const bool is_body = is_of_body(contact_mesh, node);
   const auto body = is_body ? *model_.rigid.nodes.body_of[mesh_node.value] : 0;
   const Eigen::Matrix3d* free = is_body ? free_.of_body(body) : free_.of_node(mesh_node);
-  const double mass = is_body ? model_.rigid.bodies[body].mass : model_.mass(0, mesh_node.value);
+  const double mass = is_body ? model_.rigid.bodies[body].mass : model_.mass(mesh_node.value);
   const Eigen::Vector3d& force = carrier_forces_[carrier(contact_mesh, node)];
   return free != nullptr ? Eigen::Vector3d(*free * force / mass) : Eigen::Vector3d(force / mass);
 }

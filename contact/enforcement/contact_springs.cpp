@@ -14,7 +14,7 @@ void ContactSprings::add_turning(std::size_t corner, NodeIndex mesh_node, const 
   const Eigen::Matrix3d by_rotation = -cross_matrix(arm);
   const LoftSpins& spins = kinematics_.spins();
   const OptionalIndex<std::uint32_t> spin = spins.find(mesh_node);
-  if (model_.inertia.cols() > 0 && model_.inertia(0, mesh_node.value) > minimum_nodal_mass) {
+  if (model_.inertia.cols() > 0 && model_.inertia(mesh_node.value) > minimum_nodal_mass) {
     const Eigen::Matrix3d own = spin ? spins.own_turn(*spin) : Eigen::Matrix3d(Eigen::Matrix3d::Identity());
     if (!own.isZero(0.0)) spring.ends.push_back({mesh_node.value, true, number, by_rotation * own});
   }

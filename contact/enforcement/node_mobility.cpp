@@ -64,14 +64,15 @@ void NodeMobility::set_nodes(const Model& model, const ModelFreeDirections& dire
   const ContactMesh& contact_mesh = kinematics_->contact_mesh();
   const bool turns = model.inertia.cols() > 0;
   const Eigen::Matrix3d all = Eigen::Matrix3d::Identity();
-  contact_node_.assign(static_cast<std::size_t>(model.mass.cols()), std::nullopt);
+  const bool has_rings = kinematics_->spins().size() > 0;
+  contact_node_.assign(has_rings ? static_cast<std::size_t>(model.mass.cols()) : 0, std::nullopt);
   for (const ContactNodeIndex i : contact_mesh.nodes()) {
     const NodeIndex node = contact_mesh.mesh_nodes[i];
-    if (contact_mesh.first_alike[i] == i) contact_node_[node.value] = i;
-    const double mass = model.mass(0, node.value);
+    if (has_rings && contact_mesh.first_alike[i] == i) contact_node_[node.value] = i;
+    const double mass = model.mass(node.value);
     if (contact_mesh.first_alike[i] != i || !rigid_->is_free(node) || !is_positive(mass)) continue;
     const Eigen::Matrix3d* free = directions.of_node(node);
-    const double inertia = turns ? model.inertia(0, node.value) : 0.0;
+    const double inertia = turns ? model.inertia(node.value) : 0.0;
     const bool is_held = free != nullptr && free->isZero(0.0);
     const bool has_ring = kinematics_->spins().find(node).has_value();
     if (!is_positive(inertia) && !has_ring && (free == nullptr || is_held || *free == all)) {

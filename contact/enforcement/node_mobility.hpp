@@ -129,7 +129,8 @@ class NodeMobility {
   std::vector<OptionalIndex<std::uint32_t>> general_;  // [n_bodies] position in generals_
   std::vector<double> inverse_mass_;                   // [n_bodies] of plain ones, 0 of held ones [1/mass]
   std::vector<OptionalIndex<std::uint32_t>> carrier_;  // [n_bodies] among those of the step
-  std::vector<OptionalIndex<ContactNodeIndex>> contact_node_;  // [n_nodes of the mesh] the first one with it
+  /// [n_nodes of the mesh] the first one with it; empty where nothing turns with the mid surface
+  std::vector<OptionalIndex<ContactNodeIndex>> contact_node_;
   std::vector<General> generals_;
   std::vector<std::uint32_t> mesh_nodes_;  // of the step
   std::vector<Carrier> carriers_;          // of the step

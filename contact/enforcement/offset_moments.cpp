@@ -41,7 +41,7 @@ void OffsetMoments::set(const Model& model, Eigen::Matrix3Xd& moments) const {
   const LoftSpins& spins = kinematics_.spins();
   visit([&](NodeIndex node, const Eigen::Vector3d& moment) {
     const OptionalIndex<std::uint32_t> spin = spins.find(node);
-    if (!(model.inertia(0, node.value) > minimum_nodal_mass)) return;
+    if (!(model.inertia(node.value) > minimum_nodal_mass)) return;
     moments.col(node.value) += spin ? spins.own_share(*spin, moment) : moment;
   });
 }

@@ -8,6 +8,7 @@
 #include "contact/mesh/contact_remap.hpp"
 #include "core/base/state_archive.hpp"
 #include "core/base/threads.hpp"
+#include "core/dynamics/state.hpp"
 
 namespace contactsim {
 
@@ -26,7 +27,8 @@ FaceCorners gather(const std::array<ContactNodeIndex, 4>& corners, const VectorO
 void ContactKinematics::move_nodes(const Motion& motion) {
   const auto n_nodes = static_cast<std::uint32_t>(contact_mesh_.n_nodes());
   spins_.update(motion.coordinates);
-  velocity_ = last_velocity_ = &motion.velocity;
+  last_velocity_ = &motion.velocity;
+  is_foreseen_ = false;
   turning_ = last_turning_ = find_turning(motion, past_turning_);
   x_.resize(3, n_nodes);
   parallel_for(n_nodes, threads_for(contact_mesh_.n_nodes()), [&](std::uint32_t i) {
@@ -40,10 +42,25 @@ void ContactKinematics::step(const Motion& motion) {
   move_nodes(motion);
 }
 
-void ContactKinematics::foresee(const Motion& motion) {
-  velocity_ = &motion.velocity;
-  turning_ = find_turning(motion, coming_turning_);
+void ContactKinematics::foresee(const State& state) {
+  const double half_steps = 0.5 * (state.dt + state.next_dt);
+  const auto n_nodes = static_cast<std::uint32_t>(contact_mesh_.n_nodes());
+  coming_velocity_.resize(3, n_nodes);
+  parallel_for(n_nodes, threads_for(contact_mesh_.n_nodes()), [&](std::uint32_t i) {
+    const auto node = static_cast<Eigen::Index>(contact_mesh_.mesh_nodes[{i}].value);
+    coming_velocity_.col(i) = state.velocity.col(node) + half_steps * state.acceleration.col(node);
+  });
+  is_foreseen_ = true;
+  turning_ = foresee_turning(state, half_steps);
   if (contact_mesh_.loft.size() > 0) find_loft_velocities();
+}
+
+ContactKinematics ContactKinematics::at(const Motion& motion) const {
+  ContactKinematics moved(contact_mesh_);
+  moved.offsets_ = offsets_;
+  moved.spins_ = spins_;
+  moved.move_nodes(motion);
+  return moved;
 }
 
 /// The angular velocities of the nodes of the mesh, those of lofts by their spins. Null when none turns.
@@ -55,14 +72,42 @@ const Eigen::Matrix3Xd* ContactKinematics::find_turning(const Motion& motion,
   } else {
     turning.setZero(3, motion.velocity.cols());
   }
-  parallel_for(spins_.size(), threads_for(spins_.size()), [&](std::size_t i) {
-    const std::uint32_t node = spins_.node(i).value;
-    const auto around = spins_.neighbours(i);
-    const Eigen::Vector3d own = turning.col(node), velocity = motion.velocity.col(node);
-    turning.col(node) =
-        spins_.spin(i, own, velocity, [&](std::size_t k) { return motion.velocity.col(around[k].value); });
-  });
+  spin([&](NodeIndex node) { return motion.velocity.col(node.value); }, turning);
   return &turning;
+}
+
+/// The same in the coming step.
+const Eigen::Matrix3Xd* ContactKinematics::foresee_turning(const State& state, double half_steps) {
+  const NodalRotations& rotations = state.rotations;
+  if (!rotations.exist() && spins_.size() == 0) return nullptr;
+  coming_turning_.resize(3, state.velocity.cols());
+  const auto n_nodes = static_cast<std::uint32_t>(contact_mesh_.n_nodes());
+  parallel_for(n_nodes, threads_for(contact_mesh_.n_mesh_points()), [&](std::uint32_t i) {
+    const auto node = static_cast<Eigen::Index>(contact_mesh_.mesh_nodes[{i}].value);
+    if (rotations.exist()) {
+      coming_turning_.col(node) =
+          rotations.velocity.col(node) + half_steps * rotations.acceleration.col(node);
+    } else {
+      coming_turning_.col(node).setZero();
+    }
+  });
+  const auto coming = [&](NodeIndex node) -> Eigen::Vector3d {
+    return state.velocity.col(node.value) + half_steps * state.acceleration.col(node.value);
+  };
+  spin(coming, coming_turning_);
+  return &coming_turning_;
+}
+
+/// Has the nodes with spins turn by how the nodes around them move.
+template <class VelocityOf>
+void ContactKinematics::spin(const VelocityOf& velocity_of, Eigen::Matrix3Xd& turning) const {
+  parallel_for(spins_.size(), threads_for(spins_.size()), [&](std::size_t i) {
+    const NodeIndex node = spins_.node(i);
+    const auto around = spins_.neighbours(i);
+    const Eigen::Vector3d own = turning.col(node.value), velocity = velocity_of(node);
+    turning.col(node.value) =
+        spins_.spin(i, own, velocity, [&](std::size_t k) { return velocity_of(around[k]); });
+  });
 }
 
 MovingFace ContactKinematics::last_face(FaceIndex index) const {
@@ -132,7 +177,9 @@ void ContactKinematics::find_loft_velocities() {
   loft_velocity_.resize(3, n_points);
   parallel_for(n_points, threads_for(contact_mesh_.loft.size()), [&](Eigen::Index i) {
     const Eigen::Index node = contact_mesh_.loft.node(static_cast<std::size_t>(i)).value;
-    loft_velocity_.col(i) = velocity_->col(node);
+    const ContactNodeIndex point{static_cast<std::uint32_t>(contact_mesh_.n_mesh_points()) +
+                                 static_cast<std::uint32_t>(i)};
+    loft_velocity_.col(i) = node_velocity(point);
     if (turning_ == nullptr) return;
     const Eigen::Vector3d turning = turning_->col(node);
     loft_velocity_.col(i) += turning.cross(offsets_.col(i));

@@ -33,10 +33,12 @@ class ContactKinematics {
   /// As move_nodes() at the end of a step, in which the points of lofts have turned: so they move by what the
   /// forces on them work on, and make no energy.
   void step(const Motion& motion);
-  /// Has v() answer with the velocities that the coming step would have; last_v() still with those of the
-  /// last.
-  ///   motion  its coordinates are those of now
-  void foresee(const Motion& motion);
+  /// Has v() answer with the velocities that the coming step would have by the accelerations of now; last_v()
+  /// still with those of the last.
+  ///   state  at the moment of the nodes; the size of the next step is known
+  void foresee(const State& state);
+  /// The same nodes at another moment, without bounds of faces.
+  ContactKinematics at(const Motion& motion) const;
   /// Goes over to other faces: points of lofts that are still there stand off their nodes as they did.
   ///   motion  of now
   void remap(const ContactRemap& remap, const Motion& motion);
@@ -50,7 +52,8 @@ class ContactKinematics {
 
   /// The memory of positions and bounds [bytes].
   std::size_t bytes() const {
-    return sizeof(double) * static_cast<std::size_t>(x_.size() + offsets_.size() + loft_velocity_.size()) +
+    return sizeof(double) * static_cast<std::size_t>(x_.size() + coming_velocity_.size() + offsets_.size() +
+                                                     loft_velocity_.size()) +
            bytes_of(bounds_) + bytes_of(watched_);
   }
 
@@ -58,9 +61,9 @@ class ContactKinematics {
   auto x(ContactNodeIndex node) const { return x_.col(node.value); }
   Eigen::Map<const Eigen::Vector3d> v(ContactNodeIndex node) const {
     const std::size_t n_mesh_points = contact_mesh_.n_mesh_points();
-    return Eigen::Map<const Eigen::Vector3d>(
-        node.value < n_mesh_points ? velocity_->data() + 3 * std::size_t{contact_mesh_.mesh_nodes[node].value}
-                                   : loft_velocity_.data() + 3 * (node.value - n_mesh_points));
+    return node.value < n_mesh_points
+               ? node_velocity(node)
+               : Eigen::Map<const Eigen::Vector3d>(loft_velocity_.data() + 3 * (node.value - n_mesh_points));
   }
   /// In the step before, whatever is foreseen [length/time].
   Eigen::Vector3d last_v(ContactNodeIndex node) const {
@@ -115,12 +118,22 @@ class ContactKinematics {
   void turn_offsets(const Motion& motion);
   void move_lofts(const Motion& motion);
   const Eigen::Matrix3Xd* find_turning(const Motion& motion, Eigen::Matrix3Xd& turning) const;
+  const Eigen::Matrix3Xd* foresee_turning(const State& state, double half_steps);
+  template <class VelocityOf>
+  void spin(const VelocityOf& velocity_of, Eigen::Matrix3Xd& turning) const;
   void find_loft_velocities();
+  /// Of the node of the mesh that a contact node hangs on, in the step before or as foreseen [length/time].
+  Eigen::Map<const Eigen::Vector3d> node_velocity(ContactNodeIndex node) const {
+    return Eigen::Map<const Eigen::Vector3d>(
+        is_foreseen_ ? coming_velocity_.data() + 3 * std::size_t{node.value}
+                     : last_velocity_->data() + 3 * std::size_t{contact_mesh_.mesh_nodes[node].value});
+  }
 
   Eigen::Matrix3Xd x_;                             // of the contact nodes [length]
   Eigen::Matrix3Xd offsets_, loft_velocity_;       // of the points of lofts [length] [length/time]
   Eigen::Matrix3Xd shell_areas_, normal_offsets_;  // scratch
-  const Eigen::Matrix3Xd* velocity_ = nullptr;     // of the mesh's nodes [length/time]
+  Eigen::Matrix3Xd coming_velocity_;               // as foreseen [3 x n_contact_nodes] [length/time]
+  bool is_foreseen_ = false;                       // so that it counts
   const Eigen::Matrix3Xd* turning_ = nullptr;      // of the mesh's nodes [1/time]; null when none turns
   const Eigen::Matrix3Xd *last_velocity_ = nullptr, *last_turning_ = nullptr;  // of the step before
   LoftSpins spins_;

@@ -198,11 +198,11 @@ void add_penalty_properties(const Model& model, ContactMesh& contact_mesh) {
   contact_mesh.mass.reserve(contact_mesh.n_nodes());
   for (const ContactNodeIndex i : contact_mesh.nodes()) {
     const auto node = static_cast<Eigen::Index>(contact_mesh.mesh_nodes[i].value);
-    double mass = model.mass(0, node);
-    const bool turns = model.inertia.cols() > 0 && model.inertia(0, node) > minimum_nodal_mass;
+    double mass = model.mass(node);
+    const bool turns = model.inertia.cols() > 0 && model.inertia(node) > minimum_nodal_mass;
     if (!contact_mesh.is_mesh_point(i) && turns) {
       const double arm = contact_mesh.loft.distance(i.value - contact_mesh.n_mesh_points());
-      mass = 1.0 / (1.0 / mass + arm * arm / model.inertia(0, node));
+      mass = 1.0 / (1.0 / mass + arm * arm / model.inertia(node));
     }
     contact_mesh.mass.push_back(mass);
   }

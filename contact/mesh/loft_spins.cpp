@@ -35,8 +35,7 @@ double size_of_cross(const Eigen::Vector3d& arm, const Eigen::Matrix3d& flexible
 
 }  // namespace
 
-LoftSpins::LoftSpins(const LoftPoints& loft, std::size_t n_mesh_nodes, const RigidNodes& rigid)
-    : first_{0}, index_(n_mesh_nodes) {
+LoftSpins::LoftSpins(const LoftPoints& loft, std::size_t n_mesh_nodes, const RigidNodes& rigid) : first_{0} {
   std::vector<std::pair<NodeIndex, NodeIndex>> around;
   for (const auto& shell : loft.shell_nodes()) {
     for (const NodeIndex node : shell) {
@@ -47,6 +46,7 @@ LoftSpins::LoftSpins(const LoftPoints& loft, std::size_t n_mesh_nodes, const Rig
   }
   std::ranges::sort(around);
   around.erase(std::ranges::unique(around).begin(), around.end());
+  if (!around.empty()) index_.resize(n_mesh_nodes);
   for (auto first = around.begin(); first != around.end();) {
     const auto last =
         std::find_if(first, around.end(), [&](const auto& one) { return one.first != first->first; });

@@ -12,11 +12,7 @@ namespace contactsim {
 
 BodyVolumes::BodyVolumes(const Mesh& mesh, const ContactMesh& contact_mesh,
                          std::span<const std::uint8_t> alive)
-    : mesh_(mesh),
-      contact_mesh_(contact_mesh),
-      alive_(alive),
-      bodies_(find_bodies(mesh)),
-      number_of_body_(mesh.n_nodes()) {
+    : mesh_(mesh), contact_mesh_(contact_mesh), alive_(alive), bodies_(find_bodies(mesh)) {
   find_thick_bodies();
   find_lofts();
 }
@@ -25,19 +21,43 @@ void BodyVolumes::find_thick_bodies() {
   for (const ContactFace& face : contact_mesh_.faces) {
     if (!contact_mesh_.is_lofted(face) && !is_solid(mesh_, face.side)) continue;
     const std::uint32_t body = bodies_[contact_mesh_.mesh_nodes[face.corners[0]].value];
-    if (number_of_body_[body]) continue;
-    number_of_body_[body] = 0;
-    thick_bodies_.push_back(body);
+    if (thick_bodies_.empty() || thick_bodies_.back() != body) thick_bodies_.push_back(body);
   }
   std::ranges::sort(thick_bodies_);
-  for (std::uint32_t i = 0; i < thick_bodies_.size(); ++i) number_of_body_[thick_bodies_[i]] = i;
+  thick_bodies_.erase(std::ranges::unique(thick_bodies_).begin(), thick_bodies_.end());
 }
+
+OptionalIndex<std::uint32_t> BodyVolumes::find_number(std::uint32_t body) const {
+  const auto found = std::ranges::lower_bound(thick_bodies_, body);
+  if (found == thick_bodies_.end() || *found != body) return {};
+  return static_cast<std::uint32_t>(found - thick_bodies_.begin());
+}
+
+/// Finds numbers of bodies, in no time where the same one is asked for again: nodes and elements of a body
+/// follow each other.
+class BodyVolumes::NumberOfLast {
+ public:
+  explicit NumberOfLast(const BodyVolumes& volumes) : volumes_(volumes) {}
+
+  OptionalIndex<std::uint32_t> find(std::uint32_t body) {
+    if (body_ != body) {
+      body_ = body;
+      number_ = volumes_.find_number(body);
+    }
+    return number_;
+  }
+
+ private:
+  const BodyVolumes& volumes_;
+  OptionalIndex<std::uint32_t> body_, number_;
+};
 
 std::vector<Box> BodyVolumes::boxes(const Eigen::Matrix3Xd& coordinates,
                                     const ContactKinematics& kinematics) const {
   std::vector<Box> boxes(thick_bodies_.size(), empty_box());
+  NumberOfLast last(*this);
   const auto extend = [&](NodeIndex mesh_node, const Eigen::Vector3d& x) {
-    if (const auto number = number_of_body(mesh_node.value)) add_point(x, boxes[*number]);
+    if (const auto number = last.find(bodies_[mesh_node.value])) add_point(x, boxes[*number]);
   };
   for (std::uint32_t i = 0; i < mesh_.n_nodes(); ++i) extend({i}, coordinates.col(i));
   for (const Loft& loft : lofts_) {
@@ -75,15 +95,16 @@ std::vector<BodyVolume> BodyVolumes::near(const Eigen::Matrix3Xd& coordinates,
   std::vector<BodyVolume> near;
   BodyVolume volume;
   // Most bodies of a mesh have nothing near: they cost no corners.
+  NumberOfLast last(*this);
   const auto may_be_near = [&](std::uint32_t body) {
-    const OptionalIndex<std::uint32_t> number = number_of_body_[body];
+    const OptionalIndex<std::uint32_t> number = last.find(body);
     return number && boxes[*number].lo[0] <= boxes[*number].hi[0];
   };
   const auto add_if_near = [&](std::size_t n_corners) {
     Box own = empty_box();
     for (std::size_t k = 0; k < n_corners; ++k)
       add_point(volume.corners.col(static_cast<Eigen::Index>(k)), own);
-    if (do_overlap(own, boxes[*number_of_body_[volume.body]])) near.push_back(volume);
+    if (do_overlap(own, boxes[*last.find(volume.body)])) near.push_back(volume);
   };
   for (const ElementBlock& block : mesh_.blocks()) {
     if (topology(block.shape).family != Family::solid) continue;

@@ -33,9 +33,7 @@ class BodyVolumes {
   /// The first nodes of thick bodies, ascending.
   const std::vector<std::uint32_t>& thick_bodies() const { return thick_bodies_; }
   /// The position in thick_bodies() of the body of a node, if it is one.
-  OptionalIndex<std::uint32_t> number_of_body(std::uint32_t node) const {
-    return number_of_body_[bodies_[node]];
-  }
+  OptionalIndex<std::uint32_t> number_of_body(std::uint32_t node) const { return find_number(bodies_[node]); }
 
   /// The boxes around thick bodies [n_thick_bodies].
   ///   coordinates  [3 x n_nodes] of the mesh [length]
@@ -52,14 +50,15 @@ class BodyVolumes {
     std::array<ContactNodeIndex, 8> corners;
     ElementIndex element;
   };
+  class NumberOfLast;
   void find_thick_bodies();
+  OptionalIndex<std::uint32_t> find_number(std::uint32_t body) const;
   void find_lofts();
 
   const Mesh& mesh_;
   const ContactMesh& contact_mesh_;
   std::span<const std::uint8_t> alive_;
   std::vector<std::uint32_t> bodies_, thick_bodies_;
-  std::vector<OptionalIndex<std::uint32_t>> number_of_body_;  // [n_nodes] by first node
   std::vector<Loft> lofts_;
 };
 

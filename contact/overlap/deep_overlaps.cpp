@@ -22,6 +22,17 @@ constexpr double smallest_share = 1e-6;
 /// Faces whose normal has a greater cosine with that of the node's surface look the same way.
 constexpr double same_way_cosine = 0.25;
 
+/// Whether a point lies in a box, or as near to it as rounding may have it.
+bool is_near(const Box& box, const Eigen::Vector3d& x) {
+  constexpr double round_off = 1e-6;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const double lo = box.lo[k], hi = box.hi[k], at = x[static_cast<Eigen::Index>(k)];
+    const double margin = round_off * std::max(std::abs(lo), std::abs(hi));
+    if (!(lo - margin <= at && at <= hi + margin)) return false;
+  }
+  return true;
+}
+
 }  // namespace
 
 DeepOverlaps::DeepOverlaps(const ContactModel& model, const Mesh& mesh, const OverlapParts& parts,
@@ -48,27 +59,64 @@ bool DeepOverlaps::is_shallow(const ContactKinematics& kinematics, const Inside&
   });
 }
 
+/// The rows that the box of another body may hold, ascending: of most bodies none does. Nothing where the
+/// place of one is no number.
+///   boxes   of thick bodies
+///   around  the same, searched
+std::optional<std::vector<SurfaceNodeIndex>> DeepOverlaps::find_rows_near_others(
+    const ContactKinematics& kinematics, std::span<const Box> boxes, BroadPhase& around) const {
+  // Around the thick bodies that each thick body meets, and around all of them: what is of no thick body, and
+  // points of lofts, may stand outside the box of their own.
+  std::vector<Box> met(boxes.size(), empty_box());
+  Box all = empty_box();
+  for (const Box& box : boxes) add_box(box, all);
+  PairTable meeting;
+  around.find_pairs([](std::uint32_t, std::uint32_t) { return true; }, meeting);
+  for (std::uint32_t body = 0; body < boxes.size(); ++body) {
+    for (const std::uint32_t other : meeting.of(body)) {
+      add_box(boxes[other], met[body]);
+      add_box(boxes[body], met[other]);
+    }
+  }
+  std::vector<SurfaceNodeIndex> rows;
+  for (const SurfaceNodeIndex row : indices(contact_mesh().surface_nodes)) {
+    const ContactNodeIndex node = contact_mesh().surface_nodes[row].node;
+    const auto x = kinematics.x(node);
+    if (!x.allFinite()) return std::nullopt;
+    const auto body = volumes_.number_of_body(contact_mesh().mesh_nodes[node].value);
+    if (is_near(body && contact_mesh().is_mesh_point(node) ? met[*body] : all, x)) rows.push_back(row);
+  }
+  return rows;
+}
+
 std::vector<DeepOverlaps::Inside> DeepOverlaps::find_inside(const Eigen::Matrix3Xd& coordinates,
                                                             const ContactKinematics& kinematics,
                                                             double shallow) const {
-  const auto all_rows = indices(contact_mesh().surface_nodes);
-  if (all_rows.size() == 0 || volumes_.thick_bodies().empty()) return {};
-  const auto box_of_row = [&](SurfaceNodeIndex row) {
+  const std::vector<std::uint32_t>& thick_bodies = volumes_.thick_bodies();
+  if (contact_mesh().surface_nodes.empty() || thick_bodies.empty()) return {};
+  const auto place_of = [&](SurfaceNodeIndex row) {
+    return kinematics.x(contact_mesh().surface_nodes[row].node);
+  };
+  BroadPhase rows, around, inner;
+  const std::vector<Box> around_bodies = volumes_.boxes(coordinates, kinematics);
+  if (around.update(around_bodies)) return {};
+  const auto wanted = find_rows_near_others(kinematics, around_bodies, around);
+  if (!wanted || wanted->empty()) return {};
+  const auto box_of_row = [&](std::uint32_t i) {
     Box box = empty_box();
-    add_point(kinematics.x(contact_mesh().surface_nodes[row].node), box);
+    add_point(place_of((*wanted)[i]), box);
     return box;
   };
-  const std::vector<std::uint32_t>& thick_bodies = volumes_.thick_bodies();
-  BroadPhase rows, around, inner;
-  if (rows.update(all_rows, box_of_row) || around.update(volumes_.boxes(coordinates, kinematics))) return {};
-  PairLists<SurfaceNodeIndex, std::uint32_t> near;
+  const auto n_rows = static_cast<std::uint32_t>(wanted->size());
+  if (rows.update(n_rows, box_of_row)) return {};
+  PairTable near;
   rows.find_pairs(
       around,
-      [&](SurfaceNodeIndex row, std::uint32_t body) { return body_of_row(row) != thick_bodies[body]; }, near);
+      [&](std::uint32_t i, std::uint32_t body) { return body_of_row((*wanted)[i]) != thick_bodies[body]; },
+      near);
   std::vector<Box> boxes(thick_bodies.size(), empty_box());
-  for (const SurfaceNodeIndex row : all_rows) {
-    for (const std::uint32_t body : near.of(row))
-      add_point(kinematics.x(contact_mesh().surface_nodes[row].node), boxes[body]);
+  for (std::uint32_t i = 0; i < n_rows; ++i) {
+    for (const std::uint32_t body : near.of(i)) add_point(place_of((*wanted)[i]), boxes[body]);
   }
   const std::vector<BodyVolume> volumes = volumes_.near(coordinates, kinematics, boxes);
   if (volumes.empty()) return {};
@@ -79,16 +127,16 @@ std::vector<DeepOverlaps::Inside> DeepOverlaps::find_inside(const Eigen::Matrix3
     return box;
   };
   if (inner.update(static_cast<std::uint32_t>(volumes.size()), box_of_volume)) return {};
-  const auto is_inside = [&](SurfaceNodeIndex row, std::uint32_t i) {
+  const auto is_inside = [&](std::uint32_t row, std::uint32_t i) {
     const BodyVolume& volume = volumes[i];
-    if (volume.body == body_of_row(row)) return false;
-    return is_in_solid(volume.corners, topology(volume.shape),
-                       kinematics.x(contact_mesh().surface_nodes[row].node));
+    if (volume.body == body_of_row((*wanted)[row])) return false;
+    return is_in_solid(volume.corners, topology(volume.shape), place_of((*wanted)[row]));
   };
   rows.find_pairs(inner, is_inside, near);
   std::vector<Inside> inside;
-  for (const SurfaceNodeIndex row : all_rows) {
-    for (const std::uint32_t i : near.of(row)) {
+  for (std::uint32_t k = 0; k < n_rows; ++k) {
+    const SurfaceNodeIndex row = (*wanted)[k];
+    for (const std::uint32_t i : near.of(k)) {
       const std::uint32_t body = *volumes_.number_of_body(volumes[i].body);
       const bool is_known = !inside.empty() && inside.back().row == row && inside.back().body == body;
       if (!is_known) inside.push_back({row, body, volumes[i].element});

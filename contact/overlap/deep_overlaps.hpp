@@ -13,6 +13,8 @@
 
 namespace contactsim {
 
+class BroadPhase;
+
 /// A node of a contact surface that lies inside the solids, or the lofted shells, of another body.
 struct DeepOverlap {
   PairIndex pair;
@@ -55,6 +57,9 @@ class DeepOverlaps {
     std::uint32_t body;  // in BodyVolumes::thick_bodies()
     ElementIndex element;
   };
+  std::optional<std::vector<SurfaceNodeIndex>> find_rows_near_others(const ContactKinematics& kinematics,
+                                                                     std::span<const Box> boxes,
+                                                                     BroadPhase& around) const;
   std::vector<Inside> find_inside(const Eigen::Matrix3Xd& coordinates, const ContactKinematics& kinematics,
                                   double shallow) const;
   bool is_shallow(const ContactKinematics& kinematics, const Inside& inside, double share,

@@ -2,8 +2,10 @@
 #include "contact/overlap/interpenetration_watch.hpp"
 
 #include <algorithm>
+#include <functional>
 #include <utility>
 
+#include "contact/mesh/bodies.hpp"
 #include "contact/overlap/crossed_sheets.hpp"
 #include "contact/overlap/deep_overlaps.hpp"
 #include "core/base/state_archive.hpp"
@@ -34,6 +36,14 @@ IndexedVector<ContactNodeIndex, Eigen::Vector3d> places_of(const ContactMoment& 
 
 }  // namespace
 
+InterpenetrationWatch::InterpenetrationWatch(const ContactModel& model, const Mesh& mesh,
+                                             std::span<const StartOverlap> overlaps)
+    : model_(model), mesh_(mesh), of_pair_(model.pairs.size()) {
+  const std::vector<std::uint32_t> bodies = find_bodies(mesh);
+  has_several_bodies_ = std::ranges::adjacent_find(bodies, std::not_equal_to<>()) != bodies.end();
+  for (const StartOverlap& overlap : overlaps) of_pair_[overlap.pair].start_depth = overlap.deepest;
+}
+
 bool InterpenetrationWatch::has_moved_far(const ContactMoment& moment) const {
   const IndexedVector<ContactNodeIndex, Eigen::Vector3d> now = places_of(moment);
   const Eigen::Vector3d way = mean(now) - mean(before_);
@@ -61,7 +71,7 @@ bool InterpenetrationWatch::is_look_due(const ContactMoment& moment, int n_steps
 }
 
 void InterpenetrationWatch::look(const ContactMoment& moment) {
-  find_deep(moment);
+  if (has_several_bodies_) find_deep(moment);
   IndexedVector<ContactNodeIndex, Eigen::Vector3d> now = places_of(moment);
   if (!before_.empty()) {
     for (const SheetCrossing& crossing :

@@ -44,10 +44,7 @@ class InterpenetrationWatch {
  public:
   /// Model and mesh must outlive this.
   ///   overlaps  of the start
-  InterpenetrationWatch(const ContactModel& model, const Mesh& mesh, std::span<const StartOverlap> overlaps)
-      : model_(model), mesh_(mesh), of_pair_(model.pairs.size()) {
-    for (const StartOverlap& overlap : overlaps) of_pair_[overlap.pair].start_depth = overlap.deepest;
-  }
+  InterpenetrationWatch(const ContactModel& model, const Mesh& mesh, std::span<const StartOverlap> overlaps);
 
   /// To be called after every step: whether some node may have gone by a quarter of the least thickness
   /// since the last look, as seen from the mean of all. Of the coordinates it reads those of contact nodes.
@@ -67,6 +64,7 @@ class InterpenetrationWatch {
 
   const ContactModel& model_;
   const Mesh& mesh_;
+  bool has_several_bodies_;  // else nothing can lie in another one
   IndexedVector<PairIndex, Interpenetration> of_pair_;
   IndexedVector<ContactNodeIndex, Eigen::Vector3d>
       before_;       // [n_contact_nodes] mesh nodes of contact nodes, at the last look

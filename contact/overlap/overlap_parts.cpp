@@ -53,18 +53,17 @@ bool is_solid(const Mesh& mesh, ElementSide side) {
 
 OverlapParts make_overlap_parts(const ContactModel& model, const ContactDefinition& definition,
                                 const Mesh& mesh) {
-  OverlapParts parts;
-  parts.contact_mesh = make_contact_mesh(model, mesh);
-  const ContactKinematics start = kinematics_of_mesh(parts.contact_mesh, mesh);
-  choose_feature_edges(definition.surface_options, model.surfaces.surfaces, start, parts.contact_mesh);
-  add_smooth_faces(model, start, parts.contact_mesh);
-  parts.of_face = measure_faces(start, mesh);
+  const auto contact_mesh = std::make_shared<ContactMesh>(make_contact_mesh(model, mesh));
+  const ContactKinematics start = kinematics_of_mesh(*contact_mesh, mesh);
+  choose_feature_edges(definition.surface_options, model.surfaces.surfaces, start, *contact_mesh);
+  add_smooth_faces(model, start, *contact_mesh);
+  OverlapParts parts{contact_mesh, *contact_mesh, measure_faces(start, mesh), {}};
   parts.of_node = measure_nodes(start, parts.of_face);
   return parts;
 }
 
 OverlapParts make_overlap_parts(const ContactKinematics& kinematics, const Mesh& mesh) {
-  OverlapParts parts{kinematics.contact_mesh(), measure_faces(kinematics, mesh), {}};
+  OverlapParts parts{nullptr, kinematics.contact_mesh(), measure_faces(kinematics, mesh), {}};
   parts.of_node = measure_nodes(kinematics, parts.of_face);
   return parts;
 }

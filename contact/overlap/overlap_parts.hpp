@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <memory>
 #include <vector>
 
 #include "contact/mesh/contact_kinematics.hpp"
@@ -31,7 +32,8 @@ struct OverlapNode {
 
 /// What the surfaces of a model are made of, as overlap removal needs it.
 struct OverlapParts {
-  ContactMesh contact_mesh;
+  std::shared_ptr<const ContactMesh> own;  ///< where nobody else has it
+  const ContactMesh& contact_mesh;
   IndexedVector<FaceIndex, OverlapFace> of_face;
   IndexedVector<SurfaceNodeIndex, OverlapNode> of_node;
 
@@ -47,7 +49,7 @@ bool is_solid(const Mesh& mesh, ElementSide side);
 ///   definition  of the model
 OverlapParts make_overlap_parts(const ContactModel& model, const ContactDefinition& definition,
                                 const Mesh& mesh);
-/// The same of contact nodes as they are now.
+/// The same of contact nodes as they are now. Their contact mesh must outlive it.
 OverlapParts make_overlap_parts(const ContactKinematics& kinematics, const Mesh& mesh);
 
 }  // namespace contactsim

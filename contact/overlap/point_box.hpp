@@ -23,4 +23,12 @@ inline void add_point(const Eigen::Vector3d& x, Box& box) {
   }
 }
 
+/// Widens a box to hold another one.
+inline void add_box(const Box& other, Box& box) {
+  for (std::size_t k = 0; k < 3; ++k) {
+    box.lo[k] = std::min(box.lo[k], other.lo[k]);
+    box.hi[k] = std::max(box.hi[k], other.hi[k]);
+  }
+}
+
 }  // namespace contactsim

@@ -152,14 +152,14 @@ void ExternalForce::add_load(const FaceLoad& load, const Motion& motion, Eigen::
 }
 
 void ExternalForce::add_damping(const Motion& motion, const Eigen::Matrix3Xd& velocity,
-                                const Eigen::Matrix3Xd& mass, Eigen::Matrix3Xd& forces) const {
+                                const Eigen::RowVectorXd& mass, Eigen::Matrix3Xd& forces) const {
   if (motion.dt == 0.0) return;
   for (const NodeDamping& damping : dampings_) {
     if (!damping.times.is_active(motion.time)) continue;
     const double rate = -std::expm1(-damping.coefficient * motion.dt) / motion.dt;
     followed_.visit_in(damping.nodes, [&](std::size_t i) {
       const auto node = static_cast<Eigen::Index>(damping.nodes[i].value);
-      forces.col(node) -= rate * mass.col(node).cwiseProduct(velocity.col(node));
+      forces.col(node) -= rate * (mass(node) * velocity.col(node));
     });
   }
 }

@@ -49,10 +49,9 @@ struct NodeDamping {
 class ExternalForce final : public ForceTerm {
  public:
   ///   mesh     must outlive this
-  ///   mass     [3 x n_nodes] of the nodes that damping slows [mass]
-  ///   inertia  [3 x n_nodes] of those that turn, or no columns [mass length^2]
-  explicit ExternalForce(const Mesh& mesh, Eigen::Matrix3Xd mass = Eigen::Matrix3Xd(3, 0),
-                         Eigen::Matrix3Xd inertia = Eigen::Matrix3Xd(3, 0))
+  ///   mass     [n_nodes] of the nodes that damping slows [mass]
+  ///   inertia  [n_nodes] of those that turn, or none [mass length^2]
+  explicit ExternalForce(const Mesh& mesh, Eigen::RowVectorXd mass = {}, Eigen::RowVectorXd inertia = {})
       : mesh_(&mesh), mass_(std::move(mass)), inertia_(std::move(inertia)), followed_(mesh.n_nodes()) {}
   void add(NodeLoad load) { node_loads_.push_back(std::move(load)); }
   void add_moment(NodeLoad moment) { node_moments_.push_back(std::move(moment)); }
@@ -84,11 +83,11 @@ class ExternalForce final : public ForceTerm {
   void add_load(const NodeLoad& load, const Motion& motion, Eigen::Matrix3Xd& forces) const;
   void add_load(const FaceLoad& load, const Motion& motion, Eigen::Matrix3Xd& forces);
 
-  void add_damping(const Motion& motion, const Eigen::Matrix3Xd& velocity, const Eigen::Matrix3Xd& mass,
+  void add_damping(const Motion& motion, const Eigen::Matrix3Xd& velocity, const Eigen::RowVectorXd& mass,
                    Eigen::Matrix3Xd& forces) const;
 
   const Mesh* mesh_;
-  Eigen::Matrix3Xd mass_, inertia_;  ///< that dampings act on
+  Eigen::RowVectorXd mass_, inertia_;  ///< that dampings act on
   std::vector<NodeLoad> node_loads_, node_moments_;
   std::vector<FaceLoad> face_loads_;
   std::vector<NodeDamping> dampings_;
@@ -98,9 +97,9 @@ class ExternalForce final : public ForceTerm {
 
 /// Compiles the loads of a region. Errors: unknown names, moments on nodes without rotations, masked
 /// pressures, pressures of faces that are read from the mesh. Throws FileError.
-///   mass     [3 x n_nodes] lumped, the same in every row [mass]
+///   mass     [n_nodes] lumped [mass]
 ///   inertia  as Model::inertia
-ExternalForce make_external_force(const ConditionScope& scope, const Eigen::Matrix3Xd& mass,
-                                  const Eigen::Matrix3Xd& inertia = Eigen::Matrix3Xd(3, 0));
+ExternalForce make_external_force(const ConditionScope& scope, const Eigen::RowVectorXd& mass,
+                                  const Eigen::RowVectorXd& inertia = {});
 
 }  // namespace contactsim

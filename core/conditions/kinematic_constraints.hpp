@@ -71,8 +71,9 @@ KinematicConstraints make_body_rotation_constraints(const ConditionScope& scope)
 /// Compiles those on how nodes turn; an axis counts as its direction. Nodes without rotations, those of
 /// solids alone, are left out. Errors: as make_kinematic_constraints, and prescribed rotations that are left
 /// without nodes; such fixed rotations are ignored with a warning. Throws FileError.
-///   inertia  [3 x n_nodes] lumped, minimum_nodal_mass where nothing turns; 3 x 0 when no node turns
+///   inertia  [n_nodes] lumped, minimum_nodal_mass where nothing turns; empty when no node turns
 ///            [mass length^2]
-KinematicConstraints make_rotation_constraints(const ConditionScope& scope, const Eigen::Matrix3Xd& inertia);
+KinematicConstraints make_rotation_constraints(const ConditionScope& scope,
+                                               const Eigen::RowVectorXd& inertia);
 
 }  // namespace contactsim

@@ -20,8 +20,8 @@ namespace {
 /// Compiles loads, each on its own.
 class ExternalForceMaker {
  public:
-  ExternalForceMaker(const ConditionScope& scope, const Eigen::Matrix3Xd& mass,
-                     const Eigen::Matrix3Xd& inertia)
+  ExternalForceMaker(const ConditionScope& scope, const Eigen::RowVectorXd& mass,
+                     const Eigen::RowVectorXd& inertia)
       : scope_(scope),
         mass_(mass),
         inertia_(inertia),
@@ -46,8 +46,8 @@ class ExternalForceMaker {
   }
 
   const ConditionScope& scope_;
-  const Eigen::Matrix3Xd& mass_;
-  const Eigen::Matrix3Xd& inertia_;
+  const Eigen::RowVectorXd& mass_;
+  const Eigen::RowVectorXd& inertia_;
   ExternalForce made_;
 };
 
@@ -77,14 +77,14 @@ void ExternalForceMaker::add(const Gravity& gravity) {
   load.value = std::move(*value);
   load.direction = *direction;
   load.times = make_active_times(gravity.periods, scope_.time_stepping_blocks);
-  for (const NodeIndex node : load.nodes) load.masses.push_back(mass_(0, node.value));
+  for (const NodeIndex node : load.nodes) load.masses.push_back(mass_(node.value));
   made_.add(std::move(load));
 }
 
 /// Whether all nodes of a moment have rotations that it can act on.
 bool ExternalForceMaker::check_turn(std::span<const NodeIndex> nodes, const ConditionLabel& label) const {
   const auto turns = [&](NodeIndex node) {
-    return inertia_.cols() > 0 && inertia_(0, node.value) > minimum_nodal_mass;
+    return inertia_.cols() > 0 && inertia_(node.value) > minimum_nodal_mass;
   };
   const auto still = std::find_if_not(nodes.begin(), nodes.end(), turns);
   if (still == nodes.end()) return true;
@@ -185,8 +185,8 @@ void ExternalForceMaker::add(const ViscousDamping& viscous) {
 
 }  // namespace
 
-ExternalForce make_external_force(const ConditionScope& scope, const Eigen::Matrix3Xd& mass,
-                                  const Eigen::Matrix3Xd& inertia) {
+ExternalForce make_external_force(const ConditionScope& scope, const Eigen::RowVectorXd& mass,
+                                  const Eigen::RowVectorXd& inertia) {
   ExternalForceMaker maker(scope, mass, inertia);
   for (const Gravity& gravity : scope.region.gravities) maker.add(gravity);
   for (const NodalLoad& load : scope.region.nodal_loads) maker.add(load);

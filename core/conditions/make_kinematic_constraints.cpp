@@ -44,9 +44,9 @@ bool is_of_rotations(const PrescribedCondition& prescribed) {
 
 /// What conditions are compiled for.
 struct ConstraintTarget {
-  bool are_bodies = false;                    ///< rigid bodies in place of nodes
-  bool turn = false;                          ///< rotations in place of places
-  const Eigen::Matrix3Xd* inertia = nullptr;  ///< of the nodes, when these turn
+  bool are_bodies = false;                      ///< rigid bodies in place of nodes
+  bool turn = false;                            ///< rotations in place of places
+  const Eigen::RowVectorXd* inertia = nullptr;  ///< of the nodes, when these turn
 };
 
 /// Compiles conditions, each on its own.
@@ -108,9 +108,9 @@ void KinematicConstraintsMaker::sort_out_bodies(PrescribedMotion& motion) const 
 /// Returns whether some are left, or there were none before.
 bool KinematicConstraintsMaker::keep_turning(std::vector<NodeIndex>& nodes) const {
   if (target_.inertia == nullptr || nodes.empty()) return true;
-  const Eigen::Matrix3Xd& inertia = *target_.inertia;
+  const Eigen::RowVectorXd& inertia = *target_.inertia;
   std::erase_if(nodes, [&](NodeIndex node) {
-    return inertia.cols() == 0 || inertia(0, node.value) <= minimum_nodal_mass;
+    return inertia.cols() == 0 || inertia(node.value) <= minimum_nodal_mass;
   });
   return !nodes.empty();
 }
@@ -200,7 +200,8 @@ KinematicConstraints compile_bodies(const ConditionScope& scope, bool turn) {
 
 KinematicConstraints make_kinematic_constraints(const ConditionScope& scope) { return compile(scope, {}); }
 
-KinematicConstraints make_rotation_constraints(const ConditionScope& scope, const Eigen::Matrix3Xd& inertia) {
+KinematicConstraints make_rotation_constraints(const ConditionScope& scope,
+                                               const Eigen::RowVectorXd& inertia) {
   return compile(scope, {false, true, &inertia});
 }
 

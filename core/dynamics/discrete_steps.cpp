@@ -53,7 +53,7 @@ class Ends {
   double mobility(NodeIndex node) const {
     const OptionalIndex<std::uint32_t> index = body_of(node);
     if (!index) {
-      const double mass = model_.mass(0, node.value);
+      const double mass = model_.mass(node.value);
       return mass > minimum_nodal_mass && is_prescribed_[node.value] == 0 ? 1.0 / mass : 0.0;
     }
     const RigidBody& body = model_.rigid.bodies[*index];

@@ -1,27 +1,27 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "core/dynamics/energy_balance.hpp"
 
+#include <algorithm>
+#include <array>
+
 #include "core/base/threads.hpp"
+#include "core/dynamics/node_groups.hpp"
 #include "core/dynamics/rank_share.hpp"
 
 namespace contactsim {
 
 namespace {
 
-/// Components of the vectors of eight nodes.
-constexpr Eigen::Index group_size = 24;
-using Group = Eigen::Array<double, group_size, 1>;
-
 /// Groups whose sums are made together.
 constexpr Eigen::Index groups_per_chunk = 3 * Eigen::Index{nodes_per_sum} / group_size;
 
 /// The sums of a chunk, component by component.
 struct GroupSums {
-  Group kinetic = Group::Zero(), conserved = Group::Zero(), unseen = Group::Zero();
-  Group momentum = Group::Zero();
-  Group internal_ended = Group::Zero(), internal_begun = Group::Zero();
-  Group external_ended = Group::Zero(), external_begun = Group::Zero();
-  Group contact_ended = Group::Zero(), contact_begun = Group::Zero();
+  NodeGroup kinetic = NodeGroup::Zero(), conserved = NodeGroup::Zero(), unseen = NodeGroup::Zero();
+  NodeGroup momentum = NodeGroup::Zero();
+  NodeGroup internal_ended = NodeGroup::Zero(), internal_begun = NodeGroup::Zero();
+  NodeGroup external_ended = NodeGroup::Zero(), external_begun = NodeGroup::Zero();
+  NodeGroup contact_ended = NodeGroup::Zero(), contact_begun = NodeGroup::Zero();
 
   /// Half steps are weighted with their sizes here.
   ///   half_behind  as half_before; at the start, which has none, half_after
@@ -50,7 +50,7 @@ void add(const HalfStepWork& part, HalfStepWork& sum) {
 
 /// What nodes do as they move, or as they turn: then inertias, moments and angular velocities.
 struct NodeMotion {
-  const Eigen::Matrix3Xd& mass;
+  const Eigen::RowVectorXd& mass;
   const NodalForces& forces;
   const Eigen::Matrix3Xd& acceleration;
   Eigen::Matrix3Xd& velocity;
@@ -87,34 +87,42 @@ class Completion {
   }
 
  private:
-  Group load(const Eigen::Matrix3Xd& values, Eigen::Index i) const {
-    if (i + group_size <= size_) return Eigen::Map<const Group>(values.data() + i);
-    Group group = Group::Zero();
+  NodeGroup load(const Eigen::Matrix3Xd& values, Eigen::Index i) const {
+    if (i + group_size <= size_) return Eigen::Map<const NodeGroup>(values.data() + i);
+    NodeGroup group = NodeGroup::Zero();
     group.head(size_ - i) = Eigen::Map<const Eigen::ArrayXd>(values.data() + i, size_ - i);
     return group;
   }
 
+  NodeGroup load_masses(Eigen::Index node) const {
+    const Eigen::Index n_nodes = nodes_.mass.size();
+    if (node + nodes_per_group <= n_nodes) return repeat_thrice(nodes_.mass.data() + node);
+    std::array<double, nodes_per_group> masses{};
+    std::copy(nodes_.mass.data() + node, nodes_.mass.data() + n_nodes, masses.begin());
+    return repeat_thrice(masses.data());
+  }
+
   void complete_group(Eigen::Index i, GroupSums& sums) {
-    const Group a = load(nodes_.acceleration, i), mass = load(nodes_.mass, i);
-    const Group before = load(nodes_.velocity, i);
-    const Group now = before + half_before_ * a, after = now + half_after_ * a;
+    const NodeGroup a = load(nodes_.acceleration, i), mass = load_masses(i / 3);
+    const NodeGroup before = load(nodes_.velocity, i);
+    const NodeGroup now = before + half_before_ * a, after = now + half_after_ * a;
     const Eigen::Index n = std::min(group_size, size_ - i);
     Eigen::Map<Eigen::ArrayXd>(nodes_.velocity.data() + i, n) = now.head(n);
     // In this order infinite where something pushes a node of next to no mass.
     sums.kinetic += now * now * mass;
     sums.conserved += after * (after - product_span_ * a) * mass;
     sums.momentum += mass * now;
-    const Group internal = load(nodes_.forces.internal, i);
+    const NodeGroup internal = load(nodes_.forces.internal, i);
     sums.unseen += (internal != 0.0).select(a * a * mass, 0.0);
     sums.internal_ended += internal * before;
     sums.internal_begun += internal * after;
     if (nodes_.forces.external.size() > 0) {
-      const Group external = load(nodes_.forces.external, i);
+      const NodeGroup external = load(nodes_.forces.external, i);
       sums.external_ended += external * before;
       sums.external_begun += external * after;
     }
     if (nodes_.forces.contact.size() == 0) return;
-    const Group contact = load(nodes_.forces.contact, i);
+    const NodeGroup contact = load(nodes_.forces.contact, i);
     sums.contact_ended += contact * before;
     sums.contact_begun += contact * after;
   }
@@ -127,7 +135,7 @@ class Completion {
 Eigen::Vector3d reaction_at(const NodeMotion& nodes, NodeIndex node) {
   const Eigen::Index i = node.value;
   const NodalForces& forces = nodes.forces;
-  Eigen::Vector3d reaction = nodes.mass(0, i) * nodes.acceleration.col(i) - forces.internal.col(i);
+  Eigen::Vector3d reaction = nodes.mass(i) * nodes.acceleration.col(i) - forces.internal.col(i);
   if (forces.external.size() > 0) reaction -= forces.external.col(i);
   if (forces.contact.size() > 0) reaction -= forces.contact.col(i);
   return reaction;
@@ -175,7 +183,7 @@ EnergyBalance complete_nodes(const NodeMotion& nodes, const State& state, RankSh
 }
 
 NodeMotion turning_nodes(const Model& model, NodalRotations& rotations) {
-  const Eigen::Matrix3Xd& inertia = model.rigid.empty() ? model.inertia : model.rigid.free_inertia;
+  const Eigen::RowVectorXd& inertia = model.rigid.empty() ? model.inertia : model.rigid.free_inertia;
   return {inertia, rotations.moments, rotations.acceleration, rotations.velocity};
 }
 
@@ -192,7 +200,7 @@ Eigen::Vector3d reaction_moment_at(const Model& model, const State& state, NodeI
 }
 
 EnergyBalance complete_velocities(const Model& model, State& state, RankShare* share) {
-  const Eigen::Matrix3Xd& mass = model.rigid.empty() ? model.mass : model.rigid.free_mass;
+  const Eigen::RowVectorXd& mass = model.rigid.empty() ? model.mass : model.rigid.free_mass;
   const NodeMotion moving{mass, state.forces, state.acceleration, state.velocity};
   EnergyBalance balance = complete_nodes(moving, state, share);
   add_reactions(moving, model.kinematic_constraints.nodes(), state, balance);

@@ -11,6 +11,7 @@
 #include "core/base/errors.hpp"
 #include "core/base/node_ranges.hpp"
 #include "core/dynamics/energy_balance.hpp"
+#include "core/dynamics/node_groups.hpp"
 #include "core/dynamics/rank_share.hpp"
 #include "core/dynamics/rigid_motion.hpp"
 #include "core/dynamics/state_motion.hpp"
@@ -62,27 +63,27 @@ StepReport set_forces(ForceTerms terms, const Motion& motion, State& state) {
   return step;
 }
 
-void accelerate(const NodeRanges& nodes, const Eigen::Matrix3Xd& masses, const NodalForces& forces,
+void accelerate(const NodeRanges& nodes, const Eigen::RowVectorXd& masses, const NodalForces& forces,
                 Eigen::Matrix3Xd& acceleration) {
-  double* a = acceleration.data();
-  const double *mass = masses.data(), *internal = forces.internal.data();
-  const double* external = forces.external.size() > 0 ? forces.external.data() : nullptr;
-  const double* contact = forces.contact.size() > 0 ? forces.contact.data() : nullptr;
-  nodes.visit([=](std::int64_t begin, std::int64_t end) {
-#pragma omp simd
-    for (std::int64_t i = 3 * begin; i < 3 * end; ++i)
-      a[i] = (internal[i] + (external != nullptr ? external[i] : 0.0) +
-              (contact != nullptr ? contact[i] : 0.0)) /
-             mass[i];
+  const auto group_at = [](const Eigen::Matrix3Xd& values, Eigen::Index node) {
+    return Eigen::Map<const NodeGroup>(values.data() + 3 * node);
+  };
+  nodes.visit([&](std::int64_t begin, std::int64_t end) {
+    Eigen::Index node = begin;
+    for (; node + nodes_per_group <= end; node += nodes_per_group) {
+      NodeGroup sum = group_at(forces.internal, node);
+      if (forces.external.size() > 0) sum += group_at(forces.external, node);
+      if (forces.contact.size() > 0) sum += group_at(forces.contact, node);
+      Eigen::Map<NodeGroup>(acceleration.data() + 3 * node) = sum / repeat_thrice(masses.data() + node);
+    }
+    for (; node < end; ++node) acceleration.col(node) = forces.at(node) / masses(node);
   });
 }
 
 /// The same of some nodes.
-void accelerate(std::span<const std::uint32_t> nodes, const Eigen::Matrix3Xd& masses,
+void accelerate(std::span<const std::uint32_t> nodes, const Eigen::RowVectorXd& masses,
                 const NodalForces& forces, Eigen::Matrix3Xd& acceleration) {
-  for (const std::uint32_t node : nodes) {
-    acceleration.col(node) = forces.at(node).cwiseQuotient(masses.col(node));
-  }
+  for (const std::uint32_t node : nodes) acceleration.col(node) = forces.at(node) / masses(node);
 }
 
 /// Brings velocities to the middle of the step and what they change to its end.
@@ -117,14 +118,14 @@ BetweenSteps between_turns(const State& state, double dt_before, double dt_after
   if (share != nullptr) share->complete_nodes(state);
   for (std::uint32_t node = 0; node < model.mesh->n_nodes(); ++node) {
     const auto acceleration = state.acceleration.col(node);
-    const bool is_massless = model.mass(0, node) <= minimum_nodal_mass && !acceleration.isZero(0.0);
+    const bool is_massless = model.mass(node) <= minimum_nodal_mass && !acceleration.isZero(0.0);
     if (acceleration.allFinite() && state.velocity.col(node).allFinite() && !is_massless) continue;
     const char* cause = is_massless ? "has no mass but is pushed" : "moves without bound";
     throw SolveError(state.time, fmt::format("node {} {}", model.mesh->node_id({node}), cause));
   }
   for (std::uint32_t node = 0; node < state.rotations.velocity.cols(); ++node) {
     const auto acceleration = state.rotations.acceleration.col(node);
-    const bool is_massless = model.inertia(0, node) <= minimum_nodal_mass && !acceleration.isZero(0.0);
+    const bool is_massless = model.inertia(node) <= minimum_nodal_mass && !acceleration.isZero(0.0);
     if (acceleration.allFinite() && state.rotations.velocity.col(node).allFinite() && !is_massless) continue;
     const char* cause = is_massless ? "has no rotations but is turned by a moment" : "turns without bound";
     throw SolveError(state.time, fmt::format("node {} {}", model.mesh->node_id({node}), cause));
@@ -221,8 +222,8 @@ double energy_at_start(const Model& model, State& state, RankShare* share) {
   double changed = 0.0;
   for (std::uint32_t i = 0; i < model.mesh->n_nodes(); ++i) {
     if (!model.rigid.nodes.is_free({i})) continue;
-    changed += model.mass(0, i) * state.acceleration.col(i).squaredNorm();
-    if (rotations.exist()) changed += model.inertia(0, i) * rotations.acceleration.col(i).squaredNorm();
+    changed += model.mass(i) * state.acceleration.col(i).squaredNorm();
+    if (rotations.exist()) changed += model.inertia(i) * rotations.acceleration.col(i).squaredNorm();
   }
   return bodies.conserved - 0.5 * half * half * changed;
 }

@@ -50,7 +50,7 @@ class RigidBodyMaker {
   Model& model_;
   const Mesh& mesh_;
   Diagnostics& diagnostics_;
-  Eigen::Matrix3Xd mass_of_rigid_;  ///< that elements of rigid blocks give the nodes
+  Eigen::RowVectorXd mass_of_rigid_;  ///< that elements of rigid blocks give the nodes
 };
 
 bool RigidBodyMaker::claim_nodes(const RigidBodyDefinition& definition, std::span<const std::uint32_t> blocks,
@@ -94,7 +94,7 @@ MassMoments RigidBodyMaker::moments_of(std::span<const std::uint32_t> blocks, co
     sum.second += one.second;
   }
   for (const NodeIndex node : body.nodes) {
-    const double from_others = model_.mass(0, node.value) - mass_of_rigid_(0, node.value);
+    const double from_others = model_.mass(node.value) - mass_of_rigid_(node.value);
     if (from_others > 0.0) sum.add(from_others, mesh_.coordinates().col(node.value) - body.centre);
   }
   return sum;
@@ -103,8 +103,8 @@ MassMoments RigidBodyMaker::moments_of(std::span<const std::uint32_t> blocks, co
 bool RigidBodyMaker::set_mass(const RigidBodyDefinition& definition, std::span<const std::uint32_t> blocks,
                               RigidBody& body) {
   for (const NodeIndex node : body.nodes) {
-    body.mass += model_.mass(0, node.value);
-    body.centre += model_.mass(0, node.value) * mesh_.coordinates().col(node.value);
+    body.mass += model_.mass(node.value);
+    body.centre += model_.mass(node.value) * mesh_.coordinates().col(node.value);
   }
   if (!(body.mass > static_cast<double>(body.nodes.size()) * 2.0 * minimum_nodal_mass)) {
     diagnostics_.add_error(definition.name.location,
@@ -158,7 +158,7 @@ bool RigidBodyMaker::check_reference(const RigidBodyDefinition& definition, Rigi
 bool RigidBodyMaker::share_mass(const DeckLocation& location, const RigidBody& body) {
   MassMoments at_nodes;
   for (const NodeIndex node : body.nodes)
-    at_nodes.add(model_.mass(0, node.value), mesh_.coordinates().col(node.value) - body.centre);
+    at_nodes.add(model_.mass(node.value), mesh_.coordinates().col(node.value) - body.centre);
   const Eigen::Vector3d centre = at_nodes.first / at_nodes.mass;
   const Eigen::Matrix3d spread = at_nodes.second / at_nodes.mass - centre * centre.transpose();
   const Eigen::Vector3d slope = -inverse_where_it_is(spread) * centre;
@@ -168,7 +168,7 @@ bool RigidBodyMaker::share_mass(const DeckLocation& location, const RigidBody& b
     const Eigen::Vector3d arm = mesh_.coordinates().col(node.value) - body.centre - centre;
     const double factor = body.mass / at_nodes.mass * (1.0 + slope.dot(arm));
     is_possible = is_possible && factor > 0.0;
-    model_.mass.col(node.value) *= factor;
+    model_.mass(node.value) *= factor;
   }
   if (is_possible) return true;
   diagnostics_.add_error(
@@ -210,8 +210,8 @@ void RigidBodyMaker::finish() {
     rigid.nodes.names.push_back(body.name);
     rigid.nodes.counts.push_back(body.nodes.size());
     for (const NodeIndex node : body.nodes) {
-      rigid.free_mass.col(node.value).setZero();
-      if (rigid.free_inertia.cols() > 0) rigid.free_inertia.col(node.value).setZero();
+      rigid.free_mass(node.value) = 0.0;
+      if (rigid.free_inertia.cols() > 0) rigid.free_inertia(node.value) = 0.0;
     }
   }
   rigid.nodes.references = std::make_shared<const Mesh>(std::move(parts));

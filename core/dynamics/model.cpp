@@ -18,30 +18,30 @@ namespace {
 /// An element gives each of its nodes its share of what it has.
 ///   element_values  [n_batches]
 void add_shares(const ModelBlock& block, const Mesh& mesh, std::span<const Lanes> element_values,
-                Eigen::Matrix3Xd& sums) {
+                Eigen::RowVectorXd& sums) {
   const ElementBlock& source = mesh.blocks()[block.mesh_block];
   for (std::uint32_t element = 0; element < source.n_elements; ++element) {
     const double element_value = element_values[element / n_lanes](element % n_lanes);
     const auto nodes = source.element_nodes(element);
     const auto& shares = block.element->mass_shares;
     for (std::size_t i = 0; i < nodes.size(); ++i)
-      sums.col(nodes[i].value).array() +=
+      sums(nodes[i].value) +=
           shares.empty() ? element_value / static_cast<double>(nodes.size()) : element_value * shares[i];
   }
 }
 
 }  // namespace
 
-Eigen::Matrix3Xd lumped_mass(const Mesh& mesh, std::span<const ModelBlock> blocks) {
-  Eigen::Matrix3Xd mass = Eigen::Matrix3Xd::Zero(3, mesh.n_nodes());
+Eigen::RowVectorXd lumped_mass(const Mesh& mesh, std::span<const ModelBlock> blocks) {
+  Eigen::RowVectorXd mass = Eigen::RowVectorXd::Zero(mesh.n_nodes());
   for (const ModelBlock& block : blocks) add_shares(block, mesh, block.mass, mass);
   return mass.cwiseMax(minimum_nodal_mass);
 }
 
-Eigen::Matrix3Xd lumped_inertia(const Mesh& mesh, std::span<const ModelBlock> blocks) {
+Eigen::RowVectorXd lumped_inertia(const Mesh& mesh, std::span<const ModelBlock> blocks) {
   const auto turns = [](const ModelBlock& block) { return block.element->has_rotations; };
-  if (std::none_of(blocks.begin(), blocks.end(), turns)) return Eigen::Matrix3Xd(3, 0);
-  Eigen::Matrix3Xd inertia = Eigen::Matrix3Xd::Zero(3, mesh.n_nodes());
+  if (std::none_of(blocks.begin(), blocks.end(), turns)) return {};
+  Eigen::RowVectorXd inertia = Eigen::RowVectorXd::Zero(mesh.n_nodes());
   for (const ModelBlock& block : blocks) {
     if (turns(block)) add_shares(block, mesh, block.inertia, inertia);
   }

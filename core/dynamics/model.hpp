@@ -21,10 +21,8 @@ namespace contactsim {
 struct Model {
   const Mesh* mesh = nullptr;
   std::vector<ModelBlock> blocks;  ///< in the order of the mesh, blocks of no elements left out
-  /// [3 x n_nodes] lumped, the same in every row; minimum_nodal_mass without elements [mass]
-  Eigen::Matrix3Xd mass;
-  Eigen::Matrix3Xd inertia = Eigen::Matrix3Xd(3, 0);  ///< [3 x n_nodes] lumped, about any axis, as mass;
-                                                      ///< 3 x 0 when no node turns [mass length^2]
+  Eigen::RowVectorXd mass;         ///< [n_nodes] lumped; minimum_nodal_mass without elements [mass]
+  Eigen::RowVectorXd inertia;  ///< [n_nodes] lumped, about any axis; empty when no node turns [mass length^2]
   KinematicConstraints kinematic_constraints;
   KinematicConstraints rotation_constraints;  ///< of the nodes' rotations
   RigidBodies rigid;
@@ -32,10 +30,10 @@ struct Model {
 };
 
 /// The masses of the nodes, as Model::mass.
-Eigen::Matrix3Xd lumped_mass(const Mesh& mesh, std::span<const ModelBlock> blocks);
+Eigen::RowVectorXd lumped_mass(const Mesh& mesh, std::span<const ModelBlock> blocks);
 
 /// The rotational inertias of the nodes, as Model::inertia.
-Eigen::Matrix3Xd lumped_inertia(const Mesh& mesh, std::span<const ModelBlock> blocks);
+Eigen::RowVectorXd lumped_inertia(const Mesh& mesh, std::span<const ModelBlock> blocks);
 
 /// Builds the model of a region. Errors: blocks without material, with one that is not supported or with a
 /// density that is missing; element shapes and section formulations that are not supported; wrong conditions.

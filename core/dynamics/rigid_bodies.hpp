@@ -14,8 +14,8 @@ namespace contactsim {
 struct RigidBodies {
   std::vector<RigidBody> bodies;
   RigidNodes nodes;
-  Eigen::Matrix3Xd free_mass;     ///< as Model::mass, but 0 of nodes that are not free; 3 x 0 without bodies
-  Eigen::Matrix3Xd free_inertia;  ///< as Model::inertia in the same way
+  Eigen::RowVectorXd free_mass;  ///< as Model::mass, but 0 of nodes that are not free; empty without bodies
+  Eigen::RowVectorXd free_inertia;             ///< as Model::inertia in the same way
   KinematicConstraints kinematic_constraints;  ///< its nodes are the bodies
   KinematicConstraints rotation_constraints;   ///< the same
 

@@ -179,7 +179,7 @@ void start_rigid_bodies(const Model& model, State& state) {
     double mass = 0.0;
     for (std::size_t k = 0; k < body.nodes.size(); ++k) {
       const auto node = static_cast<Eigen::Index>(body.nodes[k].value);
-      const double node_mass = model.mass(0, node);
+      const double node_mass = model.mass(node);
       const Eigen::Vector3d arm = arms.col(static_cast<Eigen::Index>(k)), v = state.velocity.col(node);
       mass += node_mass;
       momentum += node_mass * v;

@@ -48,7 +48,7 @@ Subcycler::Subcycler(const Model& model, State& state) : model_(model), state_(s
   }
   steps_.resize(chunks_.size());
   SubcycledNodes& own = state.subcycled;
-  const auto set_up = [&](Nodes& moved, const Eigen::Matrix3Xd& mass, Eigen::Matrix3Xd& place,
+  const auto set_up = [&](Nodes& moved, const Eigen::RowVectorXd& mass, Eigen::Matrix3Xd& place,
                           Eigen::Matrix3Xd& velocity, Eigen::Matrix3Xd& forces) {
     const bool exist = velocity.cols() > 0;
     const Eigen::Matrix3Xd zero = Eigen::Matrix3Xd::Zero(3, exist ? size() : 0);
@@ -109,7 +109,7 @@ void Subcycler::accelerate(Nodes& nodes) const {
   const auto& all = model_.subcycles.nodes;
   parallel_for(size(), threads_for(all.size()), [&](Eigen::Index i) {
     const Eigen::Index node = all[static_cast<std::size_t>(i)].value;
-    nodes.small.col(i) = nodes.forces->col(i).cwiseQuotient(nodes.mass->col(node));
+    nodes.small.col(i) = nodes.forces->col(i) / (*nodes.mass)(node);
   });
   for (std::size_t k = 0; k < nodes.held.size(); ++k)
     nodes.small.col(nodes.held[k]) = (nodes.free[k] * nodes.small.col(nodes.held[k])).eval();
@@ -159,7 +159,7 @@ Subcycler::Works Subcycler::kick(Nodes& nodes, double span) const {
     const Eigen::Vector3d way = span * (before + 0.5 * change), force = nodes.forces->col(i);
     Works works{force.dot(way), 0.0};
     if (nodes.is_held[static_cast<std::size_t>(i)] != 0)
-      works.reaction = ((*nodes.mass)(0, node) * nodes.small.col(i) - force).dot(way);
+      works.reaction = ((*nodes.mass)(node)*nodes.small.col(i) - force).dot(way);
     return works;
   });
 }

@@ -44,7 +44,7 @@ class Subcycler {
  private:
   /// How nodes move, or turn.
   struct Nodes {
-    const Eigen::Matrix3Xd* mass = nullptr;
+    const Eigen::RowVectorXd* mass = nullptr;
     Eigen::Matrix3Xd* position = nullptr;
     Eigen::Matrix3Xd* velocity = nullptr;
     Eigen::Matrix3Xd* forces = nullptr;  // [3 x n]

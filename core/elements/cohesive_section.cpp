@@ -52,7 +52,7 @@ ElementPairs find_pairs(const Eigen::Matrix3Xd& x, std::span<const NodeIndex> no
 
 }  // namespace
 
-Mesh with_cohesive_blocks(const SimulationDefinition& definition, const Region& region, const Mesh& mesh) {
+Mesh with_cohesive_blocks(const SimulationDefinition& definition, const Region& region, Mesh mesh) {
   const FiniteElementModel* model = find_finite_element_model(definition, region);
   if (model == nullptr) return mesh;
   const auto names = find_block_names(mesh, model->aliases);
@@ -64,7 +64,8 @@ Mesh with_cohesive_blocks(const SimulationDefinition& definition, const Region& 
     if (section != nullptr && std::holds_alternative<CohesiveSection>(section->properties))
       blocks.push_back(i);
   }
-  return blocks.empty() ? mesh : mesh.with_cohesive_blocks(blocks);
+  if (blocks.empty()) return mesh;
+  return mesh.with_cohesive_blocks(blocks);
 }
 
 std::optional<ModelBlock> make_cohesive_block(const Mesh& mesh, std::uint32_t mesh_block,

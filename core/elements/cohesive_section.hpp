@@ -13,7 +13,7 @@ namespace contactsim {
 
 /// The mesh with the shapes that COHESIVE SECTION gives to blocks of HEX8 and WEDGE6: cohesive elements,
 /// which are as if absent for skins and contact. To be called once, before contact and model are made.
-Mesh with_cohesive_blocks(const SimulationDefinition& definition, const Region& region, const Mesh& mesh);
+Mesh with_cohesive_blocks(const SimulationDefinition& definition, const Region& region, Mesh mesh);
 
 /// Builds a block of cohesive elements. Errors, at `location`: elements whose faces, of nodes 1 to 4 (or 3)
 /// and of the others, do not lie opposite each other.

@@ -18,6 +18,16 @@ class ChunkNumbering {
  public:
   ChunkNumbering(const Mesh& mesh, const ElementBlock& source) : source_(source), number_(mesh.n_nodes()) {}
 
+  /// To be called before the first chunk.
+  void begin(ModelBlock& block) const {
+    block.chunks.clear();
+    block.chunk_nodes.clear();
+    block.nodes.clear();
+    block.nodes.reserve(block.n_batches() * n_lanes * static_cast<std::size_t>(source_.nodes_per_element));
+  }
+  /// To be called after the last one: how many nodes chunks have is not known before.
+  static void end(ModelBlock& block) { block.chunk_nodes.shrink_to_fit(); }
+
   void add_chunk(std::size_t first_batch, std::size_t n_batches, ModelBlock& block) {
     const std::size_t first_node = block.chunk_nodes.size();
     for (std::size_t batch = first_batch; batch < first_batch + n_batches; ++batch)
@@ -65,8 +75,10 @@ ModelBlock make_block(const Mesh& mesh, std::uint32_t mesh_block, const ElementF
   block.layout = {element.n_points, 6 + properties.law.kind().n_state, element.n_own};
   block.mass.resize((source.n_elements + n_lanes - 1) / n_lanes);
   ChunkNumbering numbering(mesh, source);
+  numbering.begin(block);
   for (std::size_t batch = 0; batch < block.n_batches(); batch += ModelBlock::batches_per_chunk)
     numbering.add_chunk(batch, std::min(ModelBlock::batches_per_chunk, block.n_batches() - batch), block);
+  numbering.end(block);
   block.sums = NodeSums(block.chunk_nodes, mesh.n_nodes());
   return block;
 }
@@ -147,16 +159,15 @@ ModelBlock make_discrete_block(const Mesh& mesh, std::uint32_t mesh_block, const
 }
 
 void split_chunks(const Mesh& mesh, std::span<const std::uint8_t> is_subcycled, ModelBlock& block) {
-  block.chunks.clear();
-  block.chunk_nodes.clear();
-  block.nodes.clear();
   ChunkNumbering numbering(mesh, mesh.blocks()[block.mesh_block]);
+  numbering.begin(block);
   for (std::size_t first = 0; first < block.n_batches();) {
     const std::size_t n_batches = find_chunk_size(is_subcycled, first);
     numbering.add_chunk(first, n_batches, block);
     block.chunks.back().is_subcycled = is_subcycled[first] != 0;
     first += n_batches;
   }
+  numbering.end(block);
   block.sums = NodeSums(block.chunk_nodes, mesh.n_nodes(), find_places(block, false));
 }
 

@@ -1,11 +1,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "core/elements/node_sums.hpp"
 
+#include <algorithm>
+
 namespace contactsim {
 
 NodeSums::NodeSums(std::span<const std::uint32_t> nodes, std::size_t n_nodes) : places_(nodes.size()) {
   std::vector<std::uint32_t> next(n_nodes + 1, 0);
   for (const std::uint32_t node : nodes) ++next[node + 1];
+  const auto n_used = static_cast<std::size_t>(
+      std::count_if(next.begin(), next.end(), [](std::uint32_t n_places) { return n_places > 0; }));
+  nodes_.reserve(n_used);
+  begin_.reserve(n_used + 1);
   for (std::uint32_t node = 0; node < n_nodes; ++node) {
     if (next[node + 1] > 0) {
       nodes_.push_back({node});

@@ -9,11 +9,11 @@ namespace contactsim {
 
 namespace {
 
-/// Drops numbers that count on from the first one.
-template <class Number>
-void drop_counting(Number first, std::vector<Number>& numbers) {
-  for (const Number number : numbers) {
-    if (number != first++) return;
+/// Drops numbers that are what a function has for every position.
+template <class Number, class Function>
+void drop_known(const Function& known, std::vector<Number>& numbers) {
+  for (std::uint32_t i = 0; i < numbers.size(); ++i) {
+    if (numbers[i] != known(i)) return;
   }
   std::vector<Number>().swap(numbers);
 }
@@ -29,12 +29,13 @@ EntityLookup make_lookup(EntityKind kind, const std::vector<Item>& items) {
   return EntityLookup(kind, std::move(ids), names);
 }
 
-// Without a map the ids are 1..n.
-std::optional<std::uint32_t> find_position(const IdLookup& lookup, std::span<const std::int64_t> ids,
-                                           std::int64_t id, std::uint32_t n) {
-  if (!ids.empty()) return lookup.find(ids, id);
+/// Without a map the ids are 1..n in the order of the file.
+std::optional<std::uint32_t> find_position(std::span<const std::uint32_t> places, std::int64_t id,
+                                           std::uint32_t n) {
   if (id < 1 || id > static_cast<std::int64_t>(n)) return std::nullopt;
-  return static_cast<std::uint32_t>(id - 1);
+  const auto place = static_cast<std::uint32_t>(id - 1);
+  const auto found = std::ranges::find(places, place);
+  return found == places.end() ? place : static_cast<std::uint32_t>(found - places.begin());
 }
 
 }  // namespace
@@ -48,8 +49,10 @@ Mesh::Mesh(MeshParts parts) : parts_(std::move(parts)) {
   assert(parts_.node_ids.empty() || parts_.node_ids.size() == n_nodes());
   assert(parts_.element_ids.empty() || parts_.element_ids.size() == n_elements_);
   assert(parts_.node_places.size() <= n_nodes() && parts_.element_places.size() <= n_elements_);
-  for (auto* ids : {&parts_.node_ids, &parts_.element_ids}) drop_counting(std::int64_t{1}, *ids);
-  for (auto* places : {&parts_.node_places, &parts_.element_places}) drop_counting(std::uint32_t{0}, *places);
+  drop_known([&](std::uint32_t i) { return std::int64_t{node_place({i})} + 1; }, parts_.node_ids);
+  drop_known([&](std::uint32_t i) { return std::int64_t{element_place({i})} + 1; }, parts_.element_ids);
+  for (auto* places : {&parts_.node_places, &parts_.element_places})
+    drop_known([](std::uint32_t i) { return i; }, *places);
   node_by_id_ = IdLookup(parts_.node_ids);
   element_by_id_ = IdLookup(parts_.element_ids);
   by_name_ = {make_lookup(EntityKind::block, parts_.blocks),
@@ -57,6 +60,8 @@ Mesh::Mesh(MeshParts parts) : parts_(std::move(parts)) {
               make_lookup(EntityKind::node_set, parts_.node_sets),
               make_lookup(EntityKind::assembly, parts_.assemblies)};
 }
+
+MeshParts Mesh::release() && { return std::move(parts_); }
 
 Mesh Mesh::with_cohesive_blocks(std::span<const std::uint32_t> blocks) const {
   Mesh copy = *this;
@@ -76,20 +81,23 @@ Mesh Mesh::with_coordinates(Eigen::Matrix3Xd coordinates) const {
 }
 
 std::int64_t Mesh::node_id(NodeIndex node) const {
-  return parts_.node_ids.empty() ? std::int64_t{node.value} + 1 : parts_.node_ids[node.value];
+  return parts_.node_ids.empty() ? std::int64_t{node_place(node)} + 1 : parts_.node_ids[node.value];
 }
 
 std::int64_t Mesh::element_id(ElementIndex element) const {
-  return parts_.element_ids.empty() ? std::int64_t{element.value} + 1 : parts_.element_ids[element.value];
+  return parts_.element_ids.empty() ? std::int64_t{element_place(element)} + 1
+                                    : parts_.element_ids[element.value];
 }
 
 std::optional<ElementIndex> Mesh::find_element(std::int64_t id) const {
-  const auto position = find_position(element_by_id_, parts_.element_ids, id, n_elements_);
+  const auto position = parts_.element_ids.empty() ? find_position(parts_.element_places, id, n_elements_)
+                                                   : element_by_id_.find(parts_.element_ids, id);
   return position ? std::optional(ElementIndex{*position}) : std::nullopt;
 }
 
 std::optional<NodeIndex> Mesh::find_node(std::int64_t id) const {
-  const auto position = find_position(node_by_id_, parts_.node_ids, id, n_nodes());
+  const auto position = parts_.node_ids.empty() ? find_position(parts_.node_places, id, n_nodes())
+                                                : node_by_id_.find(parts_.node_ids, id);
   return position ? std::optional(NodeIndex{*position}) : std::nullopt;
 }
 

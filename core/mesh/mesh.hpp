@@ -27,8 +27,8 @@ struct MeshParts {
   std::vector<SideSet> side_sets;
   std::vector<NodeSet> node_sets;
   std::vector<Assembly> assemblies;
-  std::vector<std::int64_t> node_ids;     ///< empty when ids are 1..n
-  std::vector<std::int64_t> element_ids;  ///< empty when ids are 1..n
+  std::vector<std::int64_t> node_ids;     ///< empty when they are 1..n in the order of the file
+  std::vector<std::int64_t> element_ids;  ///< the same
   /// Where the file has each node and each element; those beyond the end, and all of none, as here.
   std::vector<std::uint32_t> node_places, element_places;
 };
@@ -54,9 +54,11 @@ struct SideFacets {
 class Mesh {
  public:
   Mesh() = default;
-  /// Sets first_element of every block, and drops id maps that are 1..n. Preconditions: connectivity, sets
-  /// and assemblies name nodes, elements and members that exist.
+  /// Sets first_element of every block, and drops id maps that are 1..n in the order of the file.
+  /// Preconditions: connectivity, sets and assemblies name nodes, elements and members that exist.
   explicit Mesh(MeshParts parts);
+  /// What it is made of, which it has no longer.
+  MeshParts release() &&;
   /// A copy whose nodes stand elsewhere.
   ///   coordinates  [3 x n_nodes] [length]
   Mesh with_coordinates(Eigen::Matrix3Xd coordinates) const;
@@ -83,7 +85,8 @@ class Mesh {
   std::uint32_t element_place(ElementIndex element) const {
     return place_of(parts_.element_places, element.value);
   }
-  /// The element or node of a user id, if there is one; the first of a repeated id.
+  /// The element or node of a user id, if there is one; the first of a repeated id. In a mesh that is not in
+  /// the order of its file and has no id maps all are looked through: for the few that a deck names.
   std::optional<ElementIndex> find_element(std::int64_t id) const;
   std::optional<NodeIndex> find_node(std::int64_t id) const;
 

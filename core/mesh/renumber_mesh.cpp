@@ -8,7 +8,6 @@
 
 #include "core/base/optional_index.hpp"
 #include "core/base/threads.hpp"
-#include "core/mesh/mesh_parts.hpp"
 
 namespace contactsim {
 
@@ -17,10 +16,16 @@ namespace {
 /// What stands at each new position, by its old one.
 using Order = std::vector<std::uint32_t>;
 
+/// Calls function(i) for every i below n, shared by threads.
+template <class Function>
+void for_each(std::size_t n, const Function& function) {
+  parallel_for(static_cast<std::uint32_t>(n), threads_for(n), function);
+}
+
 /// Where what stood at each old position is now.
 Order inverse(const Order& order) {
   Order now(order.size());
-  for (std::uint32_t i = 0; i < order.size(); ++i) now[order[i]] = i;
+  for_each(order.size(), [&](std::uint32_t i) { now[order[i]] = i; });
   return now;
 }
 
@@ -28,7 +33,12 @@ Order inverse(const Order& order) {
 class CellGrid {
  public:
   CellGrid(const ElementBlock& block, const Eigen::Matrix3Xd& x) : block_(block), x_(x) {
-    for (const NodeIndex node : block.nodes) box_.extend(Eigen::Vector3d(x.col(node.value)));
+    // Each node once: elements share them.
+    std::vector<std::uint8_t> is_used(static_cast<std::size_t>(x.cols()), 0);
+    for (const NodeIndex node : block.nodes) is_used[node.value] = 1;
+    for (Eigen::Index i = 0; i < x.cols(); ++i) {
+      if (is_used[static_cast<std::size_t>(i)] != 0) box_.extend(Eigen::Vector3d(x.col(i)));
+    }
     const double size = box_.isEmpty() ? 0.0 : box_.sizes().maxCoeff();
     cells_per_length_ = size > 0.0 ? (1 << hilbert_bits) / size : 0.0;
   }
@@ -72,13 +82,18 @@ Order order_elements(const ElementBlock& block, const Eigen::Matrix3Xd& x) {
 template <class T>
 void reorder(const Order& order, std::size_t n_numbers, std::vector<T>& items) {
   if (items.empty()) return;
-  std::vector<T> reordered;
-  reordered.reserve(items.size());
-  for (const std::uint32_t from : order) {
-    const auto begin = items.begin() + static_cast<std::ptrdiff_t>(from * n_numbers);
-    reordered.insert(reordered.end(), begin, begin + static_cast<std::ptrdiff_t>(n_numbers));
-  }
+  std::vector<T> reordered(items.size());
+  for_each(order.size(), [&](std::uint32_t i) {
+    std::copy_n(items.begin() + static_cast<std::ptrdiff_t>(order[i] * n_numbers), n_numbers,
+                reordered.begin() + static_cast<std::ptrdiff_t>(i * n_numbers));
+  });
   items = std::move(reordered);
+}
+
+/// Where the file has what now stands at each position; those beyond the end, and all of none, as it was.
+void reorder_places(Order order, std::vector<std::uint32_t>& places) {
+  for (std::uint32_t& place : order) place = place < places.size() ? places[place] : place;
+  places = std::move(order);
 }
 
 void reorder_elements(MeshParts& parts) {
@@ -90,42 +105,54 @@ void reorder_elements(MeshParts& parts) {
     for (const std::uint32_t element : of_block) order.push_back(block.first_element.value + element);
   }
   reorder(order, 1, parts.element_ids);
-  reorder(order, 1, parts.element_places);
-  const Order now = inverse(order);
-  for (SideSet& set : parts.side_sets) {
-    for (ElementSide& side : set.sides) side = ElementSide({now[side.element().value]}, side.side());
+  if (std::ranges::any_of(parts.side_sets, [](const SideSet& set) { return !set.sides.empty(); })) {
+    const Order now = inverse(order);
+    for (SideSet& set : parts.side_sets) {
+      for (ElementSide& side : set.sides) side = ElementSide({now[side.element().value]}, side.side());
+    }
   }
+  reorder_places(std::move(order), parts.element_places);
 }
 
-/// Nodes as elements use them first.
-Order order_nodes(const MeshParts& parts) {
+/// Numbers nodes as elements use them first, in the blocks and sets.
+Order number_nodes(MeshParts& parts) {
   const auto n_nodes = static_cast<std::uint32_t>(parts.coordinates.cols());
-  std::vector<std::uint8_t> is_placed(n_nodes, 0);
+  std::vector<OptionalIndex<std::uint32_t>> now(n_nodes);
   Order order;
   order.reserve(n_nodes);
-  const auto place = [&](std::uint32_t node) {
-    if (std::exchange(is_placed[node], std::uint8_t{1}) == 0) order.push_back(node);
+  const auto number_of = [&](std::uint32_t node) {
+    OptionalIndex<std::uint32_t>& number = now[node];
+    if (!number) {
+      number = static_cast<std::uint32_t>(order.size());
+      order.push_back(node);
+    }
+    return *number;
   };
-  for (const ElementBlock& block : parts.blocks) {
-    for (const NodeIndex node : block.nodes) place(node.value);
+  for (ElementBlock& block : parts.blocks) {
+    for (NodeIndex& node : block.nodes) node.value = number_of(node.value);
   }
-  for (std::uint32_t node = 0; node < n_nodes; ++node) place(node);
+  for (std::uint32_t node = 0; node < n_nodes; ++node) number_of(node);
+  for (NodeSet& set : parts.node_sets) {
+    for (NodeIndex& node : set.nodes) node.value = number_of(node.value);
+  }
   return order;
 }
 
 void reorder_nodes(MeshParts& parts) {
-  const Order order = order_nodes(parts), now = inverse(order);
+  Order order = number_nodes(parts);
   Eigen::Matrix3Xd coordinates(3, parts.coordinates.cols());
-  for (std::uint32_t i = 0; i < order.size(); ++i) coordinates.col(i) = parts.coordinates.col(order[i]);
+  for_each(order.size(), [&](std::uint32_t i) { coordinates.col(i) = parts.coordinates.col(order[i]); });
   parts.coordinates = std::move(coordinates);
   reorder(order, 1, parts.node_ids);
-  reorder(order, 1, parts.node_places);
-  for (ElementBlock& block : parts.blocks) {
-    for (NodeIndex& node : block.nodes) node.value = now[node.value];
-  }
-  for (NodeSet& set : parts.node_sets) {
-    for (NodeIndex& node : set.nodes) node.value = now[node.value];
-  }
+  reorder_places(std::move(order), parts.node_places);
+}
+
+/// The bits of a number, at most 16, with two zeros before each of them.
+std::uint64_t spread(std::uint64_t bits) {
+  bits = (bits | bits << 16) & 0x0000'0000'ff00'00ff;
+  bits = (bits | bits << 8) & 0x0000'00f0'0f00'f00f;
+  bits = (bits | bits << 4) & 0x0000'0c30'c30c'30c3;
+  return (bits | bits << 2) & 0x0000'2492'4924'9249;
 }
 
 }  // namespace
@@ -135,28 +162,23 @@ std::uint64_t hilbert_place(std::array<std::uint32_t, 3> cell) {
   for (std::uint32_t bit = highest; bit > 1; bit >>= 1) {
     const std::uint32_t below = bit - 1;
     for (std::uint32_t& along : cell) {
-      if ((along & bit) != 0) {
-        cell[0] ^= below;
-      } else {
-        const std::uint32_t swapped = (cell[0] ^ along) & below;
-        cell[0] ^= swapped;
-        along ^= swapped;
-      }
+      // Turned over where the bit is set, else swapped with the first: no branch, which no processor
+      // foresees.
+      const std::uint32_t turned = (along & bit) != 0 ? below : 0;
+      const std::uint32_t swapped = (cell[0] ^ along) & below & ~turned;
+      along ^= swapped;
+      cell[0] ^= swapped | turned;
     }
   }
   cell[1] ^= cell[0];
   cell[2] ^= cell[1];
   std::uint32_t turned = 0;
   for (std::uint32_t bit = highest; bit > 1; bit >>= 1) turned ^= (cell[2] & bit) != 0 ? bit - 1 : 0;
-  std::uint64_t place = 0;
-  for (int bit = hilbert_bits - 1; bit >= 0; --bit) {
-    for (const std::uint32_t along : cell) place = place << 1 | (((along ^ turned) >> bit) & 1);
-  }
-  return place;
+  return spread(cell[0] ^ turned) << 2 | spread(cell[1] ^ turned) << 1 | spread(cell[2] ^ turned);
 }
 
-Mesh renumber_mesh(const Mesh& mesh) {
-  MeshParts parts = parts_of(mesh);
+Mesh renumber_mesh(Mesh mesh) {
+  MeshParts parts = std::move(mesh).release();
   reorder_elements(parts);
   reorder_nodes(parts);
   return Mesh(std::move(parts));

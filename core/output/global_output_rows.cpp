@@ -54,15 +54,15 @@ void fill_momentum(const OutputContext& context, const EntityRange&, Values valu
 
 void fill_angular_momentum(const OutputContext& context, const EntityRange&, Values values) {
   const RigidBodies& rigid = context.model.rigid;
-  const Eigen::Matrix3Xd& mass = rigid.empty() ? context.model.mass : rigid.free_mass;
-  const Eigen::Matrix3Xd& inertia = rigid.empty() ? context.model.inertia : rigid.free_inertia;
+  const Eigen::RowVectorXd& mass = rigid.empty() ? context.model.mass : rigid.free_mass;
+  const Eigen::RowVectorXd& inertia = rigid.empty() ? context.model.inertia : rigid.free_inertia;
   Eigen::Vector3d sum = Eigen::Vector3d::Zero();
   for (Eigen::Index n = 0; n < context.state.coordinates.cols(); ++n) {
     const Eigen::Vector3d x = context.state.coordinates.col(n), v = context.state.velocity.col(n);
-    sum += mass(0, n) * x.cross(v);
+    sum += mass(n) * x.cross(v);
   }
   const Eigen::Matrix3Xd& turning = context.state.rotations.velocity;
-  for (Eigen::Index n = 0; n < turning.cols(); ++n) sum += inertia(0, n) * turning.col(n);
+  for (Eigen::Index n = 0; n < turning.cols(); ++n) sum += inertia(n) * turning.col(n);
   for (std::size_t i = 0; i < context.state.rigid.size(); ++i) {
     const RigidBodyState& body = context.state.rigid[i];
     sum += body.now.spin + rigid.bodies[i].mass * body.position.cross(body.now.velocity);

@@ -26,7 +26,7 @@ void fill_from_state(const OutputContext& context, const EntityRange& range, Val
 
 // Nodes without elements have next to no mass, which counts as none.
 double mass_of(const Model& model, Eigen::Index node) {
-  const double mass = model.mass(0, node);
+  const double mass = model.mass(node);
   return mass > minimum_nodal_mass ? mass : 0.0;
 }
 
@@ -85,7 +85,7 @@ void fill_reaction_moment(const OutputContext& context, const EntityRange& range
 void fill_rotational_mass(const OutputContext& context, const EntityRange& range, Values values) {
   for (std::size_t i = 0; i < range.count; ++i) {
     const auto n = static_cast<Eigen::Index>(range.first + i);
-    const double inertia = n < context.model.inertia.cols() ? context.model.inertia(0, n) : 0.0;
+    const double inertia = n < context.model.inertia.cols() ? context.model.inertia(n) : 0.0;
     values[i] = inertia > minimum_nodal_mass ? inertia : 0.0;
   }
 }

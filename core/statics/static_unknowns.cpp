@@ -13,7 +13,7 @@ Eigen::VectorXd residual_weights(const Model& model, Eigen::Index n, Eigen::Inde
   for (Eigen::Index i = n; i < size; ++i) {
     const Eigen::Index node = (i - n) / 3;
     if (node >= model.inertia.cols()) break;  // those of rigid bodies have displacements alone
-    const double mass = model.mass(0, node), inertia = model.inertia(0, node);
+    const double mass = model.mass(node), inertia = model.inertia(node);
     weights(i) = inertia > minimum_nodal_mass ? mass / inertia : 0.0;
   }
   return weights;

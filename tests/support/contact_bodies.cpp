@@ -56,7 +56,7 @@ ContactBodies::ContactBodies(const MeshBuilder& builder, const Region& given, co
       v(Eigen::Matrix3Xd::Zero(3, x.cols())),
       forces(Eigen::Matrix3Xd::Zero(3, x.cols())),
       turning(v),
-      moments(model.inertia),
+      moments(Eigen::Matrix3Xd::Zero(3, model.inertia.size())),
       contact({*region.contact, definition, model, time_stepping_blocks, functions, ranks}) {}
 
 Region ContactBodies::with_contact(const std::string& lines) {

@@ -136,7 +136,8 @@ TEST_CASE("momentum balance holds what has touched", "[contact][contact_force][s
   CHECK(std::abs(bodies.force_on(1).x()) < 1e-9);
   CHECK(bodies.net_force().norm() < 1e-9 * pulled.norm());
   // The sides keep together: along the normal nothing is left of their motion against each other.
-  const Eigen::Matrix3Xd after = state.velocity + dt * pulled.cwiseQuotient(bodies.model.mass);
+  const Eigen::Matrix3Xd after =
+      state.velocity + dt * pulled.cwiseQuotient(bodies.model.mass.replicate<3, 1>());
   double of_cube = 0.0, of_plate = 0.0;
   int n_cube = 0;
   for (Eigen::Index i = 0; i < after.cols(); ++i) {

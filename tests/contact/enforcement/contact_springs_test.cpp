@@ -143,8 +143,8 @@ TEST_CASE("ties resist by their stiffness in every direction, constraints by spr
 
 TEST_CASE("points that stand off a node turn with it", "[contact][contact_springs]") {
   SprungCubes cubes;
-  cubes.cubes.model.inertia = Eigen::Matrix3Xd::Zero(3, 16);
-  cubes.cubes.model.inertia.col(8).setConstant(0.02);
+  cubes.cubes.model.inertia = Eigen::RowVectorXd::Zero(16);
+  cubes.cubes.model.inertia(8) = 0.02;
   ContactPoint point = SprungCubes::pressed();
   point.first.radius = 0.5;
   const ContactSpring spring = cubes.springs.spring_between(point, 100.0 * Matrix3d::Identity());

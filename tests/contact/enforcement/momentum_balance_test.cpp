@@ -142,7 +142,8 @@ TEST_CASE("what a hit takes in the first step is lost", "[contact][enforcement]"
   const Eigen::Matrix3Xd forces = blocks.forces_at({0, 0, -1.0});
   REQUIRE(blocks.report);
   // The leapfrog stands mirrored before it: m |v0|^2 / 2 becomes m (|v0|^2 - |v - v0|^2) / 2.
-  const Eigen::Matrix3Xd change = 0.5 * ClosingBlocks::step * forces.cwiseQuotient(blocks.bodies.model.mass);
+  const Eigen::Matrix3Xd change =
+      0.5 * ClosingBlocks::step * forces.cwiseQuotient(blocks.bodies.model.mass.replicate<3, 1>());
   const double taken = 0.5 * change.cwiseAbs2().cwiseProduct(blocks.bodies.model.mass).sum();
   REQUIRE(taken > 0.0);
   CHECK(blocks.report->impact_work == Approx(taken));

@@ -184,8 +184,8 @@ TEST_CASE("a rigid body turns about the axes that conditions leave free", "[cont
 
 TEST_CASE("nodes with rotary inertia turn by it, but about what is held", "[contact][node_mobility]") {
   MobileCubes cubes;
-  cubes.cubes.model.inertia = Eigen::Matrix3Xd::Zero(3, 16);
-  cubes.cubes.model.inertia.col(8).setConstant(0.02);
+  cubes.cubes.model.inertia = Eigen::RowVectorXd::Zero(16);
+  cubes.cubes.model.inertia(8) = 0.02;
   const bool is_held = GENERATE(false, true);
   PrescribedMotion held;
   held.nodes = {{8}};

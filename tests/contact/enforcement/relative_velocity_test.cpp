@@ -23,10 +23,10 @@ TEST_CASE("the first side of a point moves against the second, before and as for
   parts.v.col(4) = Eigen::Vector3d(0, 0, 1);
   parts.move();
   CHECK(relative_velocity(parts.kinematics, point, true) == Eigen::Vector3d(1, 2, 2));
-  Eigen::Matrix3Xd coming = parts.v;
-  coming.col(8).setZero();
-  const Motion motion{0.0, 0.0, parts.x, coming};
-  parts.kinematics.foresee(motion);
+  State state = make_state(parts.x, {}, 0.0, parts.v);
+  state.dt = state.next_dt = 1.0;
+  state.acceleration.col(8) = -parts.v.col(8);
+  parts.kinematics.foresee(state);
   CHECK(relative_velocity(parts.kinematics, point, false) == Eigen::Vector3d(0, 0, -1));
   CHECK(relative_velocity(parts.kinematics, point, true) == Eigen::Vector3d(1, 2, 2));
 }

@@ -129,3 +129,33 @@ TEST_CASE("nodes of a set without faces of their own have their area at the star
   CHECK(tip.area > 0.0);
   CHECK(parts.kinematics.area_against(tip, Vector3d::UnitX()) == tip.area);
 }
+
+TEST_CASE("contact nodes are foreseen to move by the accelerations of now", "[contact][contact_kinematics]") {
+  ContactParts parts(cube_and_tet(), general_contact());
+  for (Eigen::Index i = 0; i < parts.v.cols(); ++i) parts.v.col(i).setConstant(double(i));
+  parts.move();
+  State state = make_state(parts.x, {}, 0.0, parts.v);
+  state.acceleration.setConstant(4.0);
+  state.dt = 0.25;
+  state.next_dt = 0.75;
+  parts.kinematics.foresee(state);
+  for (const ContactNodeIndex i : parts.contact_mesh.nodes()) {
+    const double before = parts.contact_mesh.mesh_nodes[i].value;
+    CHECK(parts.kinematics.v(i) == Vector3d::Constant(before + 0.5 * 4.0));
+    CHECK(parts.kinematics.last_v(i) == Vector3d::Constant(before));
+  }
+  // Until they move again.
+  parts.move();
+  CHECK(parts.kinematics.v({1}) == Vector3d::Ones());
+}
+
+TEST_CASE("contact nodes at another moment are others, with no bounds", "[contact][contact_kinematics]") {
+  ContactParts parts(cube_and_tet(), general_contact());
+  parts.move();
+  const Eigen::Matrix3Xd later = parts.x.array() + 1.0, velocity = parts.v.array() + 2.0;
+  const ContactKinematics moved = parts.kinematics.at({1.0, 0.5, later, velocity});
+  CHECK(moved.x({3}) == later.col(3));
+  CHECK(moved.v({3}) == Vector3d::Constant(2.0));
+  CHECK(parts.kinematics.x({3}) == parts.x.col(3));
+  CHECK(moved.bytes() < parts.kinematics.bytes());
+}

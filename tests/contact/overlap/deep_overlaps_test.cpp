@@ -63,6 +63,27 @@ TEST_CASE("what touches, is apart, or is of the same body lies in nothing", "[co
   CHECK(std::ranges::count(overlaps.bodies(), 0u) == static_cast<std::ptrdiff_t>(joined.mesh.n_nodes()));
 }
 
+TEST_CASE("bodies in each other are found among many apart, nothing where a place is no number",
+          "[contact][overlap]") {
+  test::MeshBuilder b = lowered(0.7);
+  for (int i = 0; i < 30; ++i)
+    b.add_hexes({.id = 10 + i, .origin = {20.0 + 3.0 * i, 0, 0}, .share_nodes = false});
+  const OverlappingBodies many(b);
+  const std::size_t n_alone = deep_in(OverlappingBodies(lowered(0.7))).size();
+  REQUIRE(n_alone > 0);
+  CHECK(deep_in(many).size() == n_alone);
+  const auto found_at = [&](const Eigen::Matrix3Xd& x) {
+    const Mesh moved = many.mesh.with_coordinates(x);
+    return DeepOverlaps(many.model, many.mesh, many.parts)
+        .find(x, kinematics_of_mesh(many.parts.contact_mesh, moved))
+        .size();
+  };
+  Eigen::Matrix3Xd x = many.mesh.coordinates();
+  CHECK(found_at(x) == n_alone);
+  x(1, x.cols() - 1) = std::numeric_limits<double>::quiet_NaN();
+  CHECK(found_at(x) == 0);
+}
+
 TEST_CASE("elements that are dead hold nothing", "[contact][overlap]") {
   const OverlappingBodies blocks(lowered(0.7));
   REQUIRE(deep_in(blocks).size() > 0);

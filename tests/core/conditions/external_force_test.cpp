@@ -50,7 +50,7 @@ struct Loaded {
 
   const Mesh& mesh;
   ConditionDeck deck;
-  Eigen::Matrix3Xd mass = Eigen::Matrix3Xd(3, mesh.n_nodes());
+  Eigen::RowVectorXd mass = Eigen::RowVectorXd(mesh.n_nodes());
   std::optional<ExternalForce> force;
   Eigen::Matrix3Xd x, v;
 };
@@ -232,7 +232,7 @@ TEST_CASE("viscous damping takes the speed that it should in a step, however lar
   const Eigen::Matrix3Xd forces = loaded.at(0.0);  // over a step of 0.1
   for (std::uint32_t i = 0; i < mesh.n_nodes(); ++i) {
     const bool is_slowed = mesh.coordinates()(2, i) <= 1.0;
-    const double change = forces(0, i) / loaded.mass(0, i) * 0.1;
+    const double change = forces(0, i) / loaded.mass(i) * 0.1;
     CHECK(change == Approx(is_slowed ? 2.0 * (std::exp(-0.3) - 1.0) : 0.0));
   }
 }

@@ -125,7 +125,7 @@ TEST_CASE("rotations are held and driven as places are, about an axis by its dir
                                                "function = ramp") +
                                condition_block("prescribed rotational velocity",
                                                "node set = n3\ncylindrical axis = spin\nfunction = one"));
-  Eigen::Matrix3Xd inertia = Eigen::Matrix3Xd::Ones(3, 8);
+  Eigen::RowVectorXd inertia = Eigen::RowVectorXd::Ones(8);
   inertia.col(1).setConstant(minimum_nodal_mass);  // node 2 is one of solids alone
   const KinematicConstraints kinematic_constraints = make_rotation_constraints(deck.scope(), inertia);
   CHECK(deck.messages().empty());

@@ -31,7 +31,7 @@ struct Nodes {
 
   explicit Nodes(Eigen::Index n) : mesh(nodes_only(n)) {
     model.mesh = &mesh;
-    model.mass = (random_vectors(n, 1).row(0).array() + 2.0).matrix().colwise().replicate(3);
+    model.mass = random_vectors(n, 1).row(0).array() + 2.0;
     state = make_state(mesh.coordinates(), {}, 0.0);
     state.velocity = random_vectors(n, 2);
     state.acceleration = random_vectors(n, 3);
@@ -50,7 +50,8 @@ TEST_CASE("velocities are brought to now, and work and energy are sums over the 
   for (const Eigen::Index n : {1, 7, 8, 2500}) {  // below, across and beyond a group of eight and a chunk
     Nodes nodes(n);
     const Eigen::Matrix3Xd before = nodes.state.velocity, a = nodes.state.acceleration;
-    const Eigen::Matrix3Xd now = before + 0.125 * a, after = now + 0.25 * a, mass = nodes.model.mass;
+    const Eigen::Matrix3Xd now = before + 0.125 * a, after = now + 0.25 * a;
+    const Eigen::Matrix3Xd mass = nodes.model.mass.replicate<3, 1>();
     const EnergyBalance balance = complete_velocities(nodes.model, nodes.state);
     CHECK(nodes.state.velocity == now);
     CHECK(balance.kinetic == Approx(0.5 * mass.cwiseProduct(now).cwiseProduct(now).sum()));
@@ -79,7 +80,8 @@ TEST_CASE("at the start the conserved energy is that of a step mirrored in time"
   const EnergyBalance balance = complete_velocities(nodes.model, nodes.state);
   CHECK(nodes.state.velocity == now);
   const Eigen::Matrix3Xd after = now + 0.25 * a, behind = now - 0.25 * a;
-  CHECK(balance.conserved == Approx(0.5 * nodes.model.mass.cwiseProduct(after).cwiseProduct(behind).sum()));
+  CHECK(balance.conserved ==
+        Approx(0.5 * nodes.model.mass.replicate<3, 1>().cwiseProduct(after).cwiseProduct(behind).sum()));
 }
 
 TEST_CASE("a run without loads has the energies and reactions of loads of 0", "[core][energy_balance]") {
@@ -101,7 +103,7 @@ TEST_CASE("a run without loads has the energies and reactions of loads of 0", "[
 TEST_CASE("the reaction is what mass times acceleration has beyond the forces", "[core][energy_balance]") {
   Nodes nodes(3);
   const State& state = nodes.state;
-  const Eigen::Vector3d expected = nodes.model.mass(0, 1) * state.acceleration.col(1) -
+  const Eigen::Vector3d expected = nodes.model.mass(1) * state.acceleration.col(1) -
                                    state.forces.internal.col(1) - state.forces.external.col(1) -
                                    state.forces.contact.col(1);
   CHECK((reaction_at(nodes.model, state, {1}) - expected).norm() < 1e-15);

@@ -55,7 +55,7 @@ struct Bodies {
 Eigen::Vector3d centre_of_nodes(const Model& model, const RigidBody& body) {
   Eigen::Vector3d sum = Eigen::Vector3d::Zero();
   for (const NodeIndex node : body.nodes)
-    sum += model.mass(0, node.value) * model.mesh->coordinates().col(node.value);
+    sum += model.mass(node.value) * model.mesh->coordinates().col(node.value);
   return sum / body.mass;
 }
 
@@ -73,7 +73,7 @@ TEST_CASE("a rigid body has the mass of its elements and of what neighbours give
   CHECK(body.centre.x() == Approx((6.0 * 1.0 + 1.5 * 2.0) / 7.5));
   const double about_x = 6.0 / 12.0 * 2.0 + 1.5 * 0.5;
   CHECK(body.inertia(0, 0) == Approx(about_x));
-  CHECK(model.rigid.free_mass.row(0).sum() == Approx(1.5));
+  CHECK(model.rigid.free_mass.sum() == Approx(1.5));
   CHECK(model.blocks[0].is_rigid);
   CHECK_FALSE(model.blocks[1].is_rigid);
   CHECK(model.rigid.nodes.body_of[body.nodes[0].value] == 0);

@@ -50,7 +50,7 @@ struct SpinningSheet {
     Eigen::Vector3d sum = Eigen::Vector3d::Zero();
     for (Eigen::Index i = 0; i < state.velocity.cols(); ++i) {
       const Eigen::Vector3d x = state.coordinates.col(i), v = state.velocity.col(i);
-      sum += model.mass(0, i) * x.cross(v) + model.inertia(0, i) * state.rotations.velocity.col(i);
+      sum += model.mass(i) * x.cross(v) + model.inertia(i) * state.rotations.velocity.col(i);
     }
     return sum;
   }

@@ -203,7 +203,8 @@ TEST_CASE("what is written of subcycled nodes is mass x acceleration = all force
   const State& s = run.state;
   const double largest = s.forces.internal.cwiseAbs().maxCoeff();
   REQUIRE(largest > 0.0);
-  const Eigen::Matrix3Xd rest = rod.model.mass.cwiseProduct(s.acceleration) - s.forces.internal;
+  const Eigen::Matrix3Xd rest =
+      rod.model.mass.replicate<3, 1>().cwiseProduct(s.acceleration) - s.forces.internal;
   CHECK(rest.cwiseAbs().maxCoeff() < 1e-12 * largest);
 }
 

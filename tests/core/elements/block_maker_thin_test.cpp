@@ -65,7 +65,7 @@ TEST_CASE("springs and point masses need no material, dampers do", "[core][model
   CHECK(diagnostics.empty());
   REQUIRE(model.blocks.size() == 1);
   CHECK(model.blocks[0].material == "none");
-  CHECK(model.mass(0, 1) == Approx(1.0));
+  CHECK(model.mass(1) == Approx(1.0));
   definition.sections[0].properties = DamperSection{};
   CHECK(model_errors(definition, mesh) == "block_1 has no MATERIAL\n");
 }

@@ -137,6 +137,44 @@ TEST_CASE("a renumbered mesh is the same mesh, and knows the order of its file",
   for (std::size_t i = 0; i < nodes.size(); ++i) CHECK(before(nodes_now[i]) == nodes[i]);
 }
 
+TEST_CASE("a renumbered mesh without id maps keeps none, and finds what the file counts", "[core][mesh]") {
+  const Mesh mesh(two_blocks());
+  Mesh renumbered = renumber_mesh(mesh);
+  REQUIRE(renumbered.node_place({1}) != 1);
+  const MeshParts parts = Mesh(renumbered).release();
+  CHECK(parts.node_ids.empty());
+  CHECK(parts.element_ids.empty());
+  for (std::uint32_t i = 0; i < mesh.n_nodes(); ++i) {
+    CHECK(renumbered.node_id({i}) == renumbered.node_place({i}) + 1);
+    CHECK(renumbered.find_node(renumbered.node_id({i})) == NodeIndex{i});
+  }
+  for (const std::int64_t absent : {std::int64_t{0}, std::int64_t{-1}, std::int64_t{mesh.n_nodes()} + 1}) {
+    CHECK(!renumbered.find_node(absent));
+    CHECK(!renumbered.find_element(absent));
+  }
+  // Nodes beyond those that have a place in the file stand where they are.
+  MeshParts more = parts_of(renumbered);
+  more.coordinates.conservativeResize(3, more.coordinates.cols() + 1);
+  more.coordinates.rightCols<1>().setZero();
+  more.node_ids.push_back(mesh.n_nodes() + 1);
+  const Mesh longer(more);
+  CHECK(longer.node_id({mesh.n_nodes()}) == mesh.n_nodes() + 1);
+  CHECK(longer.find_node(mesh.n_nodes() + 1) == NodeIndex{mesh.n_nodes()});
+  CHECK(std::move(renumbered).release().node_places == parts.node_places);
+}
+
+TEST_CASE("ids of a map stay with what is renumbered, also those that count in another order",
+          "[core][mesh]") {
+  MeshParts parts = two_blocks();
+  const auto n_nodes = static_cast<std::uint32_t>(parts.coordinates.cols());
+  for (std::uint32_t i = 0; i < n_nodes; ++i) parts.node_ids.push_back(n_nodes - i);
+  const Mesh renumbered = renumber_mesh(Mesh(parts));
+  for (std::uint32_t i = 0; i < n_nodes; ++i) {
+    CHECK(renumbered.node_id({i}) == n_nodes - renumbered.node_place({i}));
+    CHECK(renumbered.find_node(n_nodes - renumbered.node_place({i})) == NodeIndex{i});
+  }
+}
+
 TEST_CASE("a mesh in another order is renumbered to the same one", "[core][mesh]") {
   const Mesh mesh(two_blocks()), other = shuffled(mesh);
   REQUIRE(digest_of(other) != digest_of(mesh));

@@ -13,7 +13,7 @@ struct TurningRun : SampleRun {
     const Eigen::Matrix3Xd none = Eigen::Matrix3Xd::Zero(3, mesh.n_nodes());
     NodalRotations& r = state.rotations;
     r.angle = r.velocity = r.acceleration = r.moments.internal = r.moments.external = none;
-    model.inertia = Eigen::Matrix3Xd::Constant(3, mesh.n_nodes(), 0.5);
+    model.inertia = Eigen::RowVectorXd::Constant(mesh.n_nodes(), 0.5);
     r.angle.col(2) << 1, 2, 3;
     r.velocity.col(2) << 4, 5, 6;
     r.acceleration.col(2) << 8, 0, -2;
@@ -61,7 +61,7 @@ TEST_CASE("rotational variables by hand", "[core][output]") {
 
 TEST_CASE("a rotational mass next to none counts as none", "[core][output]") {
   TurningRun run;
-  run.model.inertia.col(1).setConstant(minimum_nodal_mass);
+  run.model.inertia(1) = minimum_nodal_mass;
   check_close(nodal(run, "rotational_mass", 2), {0.5});
   CHECK(nodal(run, "rotational_mass", 1) == std::vector<double>{0.0});
 }

@@ -94,7 +94,7 @@ TEST_CASE("a spinning bar has the angular momentum of its masses", "[core][outpu
   run.deform(Eigen::Matrix3d::Identity(), spin);
   double sum = 0.0;
   for (Eigen::Index n = 0; n < run.mesh.coordinates().cols(); ++n)
-    sum += 2.0 * run.model.mass(0, n) * run.mesh.coordinates().col(n).head<2>().squaredNorm();
+    sum += 2.0 * run.model.mass(n) * run.mesh.coordinates().col(n).head<2>().squaredNorm();
   CHECK(global(run, "angular_momentum")[2] == Approx(sum));
 }
 

@@ -14,8 +14,8 @@ struct TurningNodes {
   TurningNodes() {
     model.mesh = &mesh;
     model.mass = Eigen::Matrix3Xd::Constant(3, 8, 4.0);
-    model.inertia = Eigen::Matrix3Xd::Constant(3, 8, 1.0);
-    model.inertia.col(7).setConstant(minimum_nodal_mass);
+    model.inertia = Eigen::RowVectorXd::Constant(8, 1.0);
+    model.inertia(7) = minimum_nodal_mass;
   }
 
   Mesh mesh = MeshBuilder().add_hexes({}).build();
