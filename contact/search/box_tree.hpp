@@ -7,7 +7,6 @@
 #include <cstdint>
 #include <cstring>
 #include <new>
-#include <span>
 #include <vector>
 
 #include "core/base/bytes_of.hpp"
@@ -85,11 +84,6 @@ struct BoxTree {
   /// How many boxes it is over.
   std::uint32_t n_boxes() const { return nodes.empty() ? 0 : nodes.front().n_boxes; }
 };
-
-/// A tree over boxes, halved again and again at the median of their centres, across the longest side of the
-/// box around these. The same for any number of threads.
-///   boxes  [n] sound, n < 2^30
-BoxTree make_box_tree(std::span<const Box> boxes);
 
 /// Fills in branches and top levels of a tree whose nodes are linked.
 void divide(BoxTree& tree);

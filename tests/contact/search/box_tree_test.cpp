@@ -42,7 +42,7 @@ bool mark_boxes(const BoxTree& tree, const BoxNode& top, const std::vector<Box>&
 }  // namespace
 
 TEST_CASE("trees have children after their parents and all below a node together", "[contact][box_tree]") {
-  const std::uint32_t n = GENERATE(1u, 2u, 3u, 1000u, 4097u, 100001u);  // large ones are made in parts
+  const std::uint32_t n = GENERATE(1u, 2u, 3u, 1000u, 4097u, 100001u);  // FCL makes large ones in parts
   const BoxTree tree = make_box_tree(MovingBoxes(n, 1).boxes());
   REQUIRE(tree.nodes.size() == 2 * n - 1);
   for (std::uint32_t i = 0; i < tree.nodes.size(); ++i) {
