@@ -16,6 +16,18 @@ namespace {
 /// more would throw apart what folds hold in.
 constexpr double max_recovery = 0.1;
 
+bool has_force(const ConstraintRow& row, double force) { return row.pulls ? force != 0.0 : force > 0.0; }
+
+/// What the next step is to know of a row that has no force, if anything: the gap at which it touches.
+std::optional<ContactHistory::Entry> entry_without_force(const ConstraintRow& row,
+                                                         const ContactPoint& point) {
+  if (!(row.zero_gap < 0.0)) return std::nullopt;
+  ContactHistory::Entry begun;
+  begun.area = point.area;
+  begun.zero_gap = row.zero_gap;
+  return begun;
+}
+
 }  // namespace
 
 /// What a force loses in half of the step before. The leapfrog begins mirrored at the first step.
@@ -55,21 +67,12 @@ void ConstraintLosses::finish_friction(const ConstraintRow& row, double force, c
   entry.held = point.elastic_slip;
 }
 
-std::optional<ContactHistory::Entry> ConstraintLosses::finish(const ConstraintRow& row, double force,
-                                                              const NodeVector& change,
-                                                              ContactLoss& loss) const {
+/// The part of finish() that is the normal force's.
+ContactHistory::Entry ConstraintLosses::finish_normal(const ConstraintRow& row, double force,
+                                                      double impact_before, double opened,
+                                                      ContactLoss& loss) const {
   ContactPoint& point = system.points[row.point];
-  if (!(row.pulls ? force != 0.0 : force > 0.0)) {
-    if (!(row.zero_gap < 0.0)) return std::nullopt;
-    ContactHistory::Entry begun;
-    begun.area = point.area;
-    begun.zero_gap = row.zero_gap;
-    return begun;
-  }
-  const Eigen::Vector3d before = dt_before * relative_velocity(kinematics, point, true),
-                        changed = change.head<3>();
-  const double impact_before = lost_before(force * point.normal, point, before, changed),
-               impact_after = 0.5 * force * (point.closing - point.normal.dot(changed));
+  const double impact_after = 0.5 * force * (point.closing - opened);
   loss.impact_before += impact_before;
   loss.impact_after += impact_after;
   point.impact = impact_before + impact_after;
@@ -78,12 +81,35 @@ std::optional<ContactHistory::Entry> ConstraintLosses::finish(const ConstraintRo
   point.work_after = impact_after;
   point.force += force;
   ContactHistory::Entry entry{force / point.area};
-  const double left = -(row.start + point.normal.dot(changed));
+  const double left = -(row.start + opened);
   entry.area = point.area;
   entry.zero_gap = row.zero_gap;
   entry.left = std::clamp(left, 0.0, std::max(0.0, max_recovery * force * row.softness));
+  return entry;
+}
+
+std::optional<ContactHistory::Entry> ConstraintLosses::finish(const ConstraintRow& row, double force,
+                                                              const NodeVector& change,
+                                                              ContactLoss& loss) const {
+  const ContactPoint& point = system.point_of(row);
+  if (!has_force(row, force)) return entry_without_force(row, point);
+  const Eigen::Vector3d before = dt_before * relative_velocity(kinematics, point, true),
+                        changed = change.head<3>();
+  const double impact_before = lost_before(force * point.normal, point, before, changed);
+  ContactHistory::Entry entry = finish_normal(row, force, impact_before, point.normal.dot(changed), loss);
   if (row.friction) finish_friction(row, force, change, before, entry, loss);
   return entry;
+}
+
+std::optional<ContactHistory::Entry> ConstraintLosses::finish_pressing(const ConstraintRow& row, double force,
+                                                                       double opened_before, double opened,
+                                                                       ContactLoss& loss) const {
+  const ContactPoint& point = system.point_of(row);
+  if (!has_force(row, force)) return entry_without_force(row, point);
+  const double impact_before =
+      is_first_step ? lost_before(force * point.normal, point, Eigen::Vector3d::Zero(), opened * point.normal)
+                    : -0.5 * force * opened_before;
+  return finish_normal(row, force, impact_before, opened, loss);
 }
 
 }  // namespace contactsim

@@ -37,8 +37,16 @@ struct ConstraintLosses {
   ///   change  by which all forces change gap and slip in the coming step [length]
   std::optional<ContactHistory::Entry> finish(const ConstraintRow& row, double force,
                                               const NodeVector& change, ContactLoss& loss) const;
+  /// The same of a row that presses along its normal alone.
+  ///   opened_before  by which its gap opened in the step before [length]
+  ///   opened         by which all forces open it in the coming step [length]
+  std::optional<ContactHistory::Entry> finish_pressing(const ConstraintRow& row, double force,
+                                                       double opened_before, double opened,
+                                                       ContactLoss& loss) const;
 
  private:
+  ContactHistory::Entry finish_normal(const ConstraintRow& row, double force, double impact_before,
+                                      double opened, ContactLoss& loss) const;
   double lost_before(const Eigen::Vector3d& force, const ContactPoint& point, const Eigen::Vector3d& before,
                      const Eigen::Vector3d& changed) const;
   void finish_friction(const ConstraintRow& row, double force, const NodeVector& change,

@@ -31,7 +31,6 @@ struct ConstraintPass {
     row.force = force;
     row.ahead = force + momentum * step;
   }
-
   ConstraintPass& operator+=(const ConstraintPass& other) {
     changed += other.changed;
     all += other.all;

@@ -33,6 +33,7 @@ struct ConstraintRow {
 struct ConstraintGroup {
   NodeVector normal = NodeVector::Zero();  ///< unit, from the second side to the first [1]
   std::uint32_t first_row = 0, n_rows = 0;
+  bool presses = false;  ///< along the normal alone, on plain carriers: its rows are PressingRows
   PointCarriers::Terms terms;
 };
 

@@ -94,11 +94,14 @@ void ContactConstraints::add(const ContactPoint& contact_point, const PairRule& 
   row.point = static_cast<std::uint32_t>(system_.points.size() - 1);
   row.area = contact_point.area;
   set_start(contact_point, rule, thickness, row);
+  const bool presses = !row.friction && !group->terms.first_arm;
   if (group == &alone) {
+    alone.presses = presses;
     alone.normal = node_vector(contact_point.normal);
     alone.first_row = static_cast<std::uint32_t>(system_.rows.size());
     system_.groups.push_back(alone);
   }
+  if (!presses) system_.groups.back().presses = false;
   ++system_.groups.back().n_rows;
   system_.rows.push_back(row);
   system_.weights.push_back(weights);
@@ -130,26 +133,29 @@ LightAnswer ContactConstraints::answer(std::uint32_t light_point, const Eigen::V
 }
 
 void ContactConstraints::list_pushes() {
+  pressing_.list(system_);
   const int n_threads = system_.n_threads();
-  if (n_threads == 1) return;
+  if (n_threads == 1 || !has_others()) return;
   const auto visit = [this](std::size_t begin, std::size_t end, const auto& take) {
     const auto groups = std::span<const Group>(system_.groups).subspan(begin, end - begin);
     ConstraintSystem::visit_rows(groups, [&](const Group& group, std::uint32_t row) {
-      carriers_.visit_pushes(group.terms, system_.weights[row], row, take);
+      if (!group.presses) carriers_.visit_pushes(group.terms, system_.weights[row], row, take);
     });
   };
   pushes_.make(carriers_.n_carriers(), system_.groups.size(), n_threads, visit);
 }
 
-/// Gives each point the force that it is to push with, find_force(group, row, sums), and pushes the carriers.
-/// One thread pushes point by point, several carrier by carrier: each carrier's pushes come in the same
-/// order.
+/// Gives each point but those that press the force that it is to push with, find_force(group, row, sums), and
+/// pushes the carriers. One thread pushes point by point, several carrier by carrier: each carrier's pushes
+/// come in the same order.
 template <class FindForce>
 ConstraintPass ContactConstraints::push_rows(const FindForce& find_force) {
+  if (!has_others()) return {};
   const int n_threads = system_.n_threads();
   if (n_threads == 1) {
     return system_.sum_rows<ConstraintPass>(
         1, [&](const Group& group, std::uint32_t i, ConstraintPass& sums) {
+          if (group.presses) return;
           find_force(group, i, sums);
           carriers_.push(group.terms, system_.weights[i], system_.rows[i].ahead);
         });
@@ -158,6 +164,7 @@ ConstraintPass ContactConstraints::push_rows(const FindForce& find_force) {
   pushing_.resize(system_.rows.size());
   const ConstraintPass sums = system_.sum_rows<ConstraintPass>(
       n_threads, [&](const Group& group, std::uint32_t i, ConstraintPass& of_chunk) {
+        if (group.presses) return;
         find_force(group, i, of_chunk);
         pushing_[i] = system_.rows[i].ahead;
       });
@@ -168,6 +175,7 @@ ConstraintPass ContactConstraints::push_rows(const FindForce& find_force) {
 }
 
 void ContactConstraints::push_forces() {
+  pressing_.push_forces(system_);
   push_rows([this](const Group&, std::uint32_t i, ConstraintPass&) {
     system_.rows[i].ahead = system_.rows[i].force;
   });
@@ -175,25 +183,30 @@ void ContactConstraints::push_forces() {
 
 ConstraintPass ContactConstraints::pass(double momentum, const LightCarriers& light) {
   const ForceProjection projection(system_, dt_);
-  return push_rows([&](const Group& group, std::uint32_t i, ConstraintPass& sums) {
+  ConstraintPass all = pressing_.pass(system_, dt_, momentum);
+  all += push_rows([&](const Group& group, std::uint32_t i, ConstraintPass& sums) {
     Row& row = system_.rows[i];
     NodeVector velocity = carriers_.change(group.terms, system_.weights[i]);
     if (row.light) velocity += node_vector(light.velocity(*row.light));
     sums.take(row, projection.next_force(group.normal, row, dt_ * velocity), momentum);
   });
+  return all;
 }
 
 ContactLoss ContactConstraints::finish() {
   const bool is_first_step = !(dt_before_ > 0.0 || begins_pressed_ || goes_on_);
   const ConstraintLosses losses{system_, *kinematics_, dt_before_, dt_, is_first_step};
-  std::vector<std::optional<ContactHistory::Entry>> entries(system_.rows.size());
-  const auto loss = system_.sum_rows<ContactLoss>(
-      system_.n_threads(), [&](const Group& group, std::uint32_t i, ContactLoss& sums) {
-        const Row& row = system_.rows[i];
-        entries[i] = losses.finish(row, row.force.dot(group.normal),
-                                   dt_ * carriers_.change(group.terms, system_.weights[i]), sums);
-      });
-  history_.remember_rows(entries, system_.n_threads(), [this](std::size_t row) -> const ContactPoint& {
+  entries_.resize(system_.rows.size());
+  ContactLoss loss = pressing_.finish(system_, losses, entries_);
+  if (has_others())
+    loss += system_.sum_rows<ContactLoss>(
+        system_.n_threads(), [&](const Group& group, std::uint32_t i, ContactLoss& sums) {
+          if (group.presses) return;
+          const Row& row = system_.rows[i];
+          entries_[i] = losses.finish(row, row.force.dot(group.normal),
+                                      dt_ * carriers_.change(group.terms, system_.weights[i]), sums);
+        });
+  history_.remember_rows(entries_, system_.n_threads(), [this](std::size_t row) -> const ContactPoint& {
     return system_.point_of(system_.rows[row]);
   });
   begins_pressed_ = goes_on_ = false;

@@ -12,6 +12,7 @@
 #include "contact/enforcement/constraint_system.hpp"
 #include "contact/enforcement/contact_history.hpp"
 #include "contact/enforcement/point_carriers.hpp"
+#include "contact/enforcement/pressing_rows.hpp"
 #include "contact/enforcement/push_lists.hpp"
 #include "contact/enforcement/recovery_energy.hpp"
 #include "contact/formulations/contact_step_context.hpp"
@@ -23,7 +24,7 @@ namespace contactsim {
 /// has touched may not part; friction returns to the Coulomb cone.
 class ContactConstraints {
  public:
-  explicit ContactConstraints(NodeMobility& mobility) : carriers_(mobility) {}
+  explicit ContactConstraints(NodeMobility& mobility) : carriers_(mobility), pressing_(mobility) {}
 
   /// Begins a step.
   ///   dt_before, dt  of the step that ended, of the coming one [time]
@@ -45,6 +46,8 @@ class ContactConstraints {
   void set_softness(const LeaningAreas& areas, const LightCarriers& light, double least);
   /// Has no more of penetrations come out than the energy of their pairs pays for; after set_softness().
   void limit_recovery(RecoveryEnergy& recovery);
+  /// To be called before the first push_forces() or pass().
+  void begin_passes() { pressing_.begin_passes(system_); }
   /// Adds the points with light carriers to the rows of these.
   void add_rows(LightCarriers& light);
   /// What the point of such a row answers to a velocity of its light carriers.
@@ -78,7 +81,13 @@ class ContactConstraints {
   using Weights = PointCarriers::Weights;
   using Row = ConstraintRow;
   using Group = ConstraintGroup;
+  /// What it takes to bring out a row, and to part all that overlaps at its point [energy].
+  struct Need {
+    PairIndex pair;
+    double recovery = 0.0, parting = 0.0;
+  };
 
+  bool has_others() const { return pressing_.n_groups() < system_.groups.size(); }
   template <class FindForce>
   ConstraintPass push_rows(const FindForce& find_force);
   void add_friction(const ContactPoint& contact_point, const PairRule& rule, Row& row);
@@ -100,9 +109,12 @@ class ContactConstraints {
   const ContactKinematics* kinematics_ = nullptr;
   double dt_ = 0.0, dt_before_ = 0.0;
   ConstraintSystem system_;
-  PushLists pushes_;                                                  // of several threads
-  std::vector<NodeVector> pushing_;                                   // [n_rows] by which rows push then
+  PressingRows pressing_;                                             // rows of the groups that press
+  PushLists<RowPush> pushes_;                                         // of the others, of several threads
+  std::vector<NodeVector> pushing_;                                   // [n_rows] by which they push then
   std::vector<double> row_areas_;                                     // [n_rows] scratch [length^2]
+  std::vector<std::optional<ContactHistory::Entry>> entries_;         // [n_rows] scratch
+  std::vector<Need> needs_;                                           // [n_rows] scratch
   std::vector<std::pair<const Group*, std::uint32_t>> light_points_;  // with rows, of light carriers
   ContactHistory history_;
   bool begins_pressed_ = false;                   // the history is that of load steps

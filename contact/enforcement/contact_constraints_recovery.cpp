@@ -20,25 +20,21 @@ constexpr double free_recovery = 4e-3;
 /// sides d deep takes no more than d^2 / 2 c: 1 / c is about the stiffness of what is behind a point, since
 /// the step is about the stable one.
 void ContactConstraints::limit_recovery(RecoveryEnergy& recovery) {
-  /// What it takes to bring out one of the rows, and to part all that overlaps at its point [energy].
-  struct Need {
-    PairIndex pair;
-    double recovery = 0.0, parting = 0.0;
-  };
-  std::vector<Need> needs(system_.rows.size());
+  needs_.resize(system_.rows.size());
   parallel_for(system_.groups.size(), system_.n_threads(), [&](std::size_t of_group) {
     system_.visit_rows({&system_.groups[of_group], 1}, [&](const Group& group, std::uint32_t i) {
       const Row& row = system_.rows[i];
+      needs_[i].recovery = 0.0;
       if (!(row.recovery > 0.0)) return;
       const ContactPoint& point = system_.points[row.point];
       const double depth = row.zero_gap - point.gap, pressing = std::max(0.0, row.force.dot(group.normal));
-      needs[i] = {point.pair, (pressing + row.recovery / row.softness) * row.recovery,
-                  0.5 * depth * depth / row.softness};
+      needs_[i] = {point.pair, (pressing + row.recovery / row.softness) * row.recovery,
+                   0.5 * depth * depth / row.softness};
     });
   });
   std::map<PairIndex, double> needed;
   auto of_pair = needed.end();  // points of a pair follow each other, mostly
-  for (const Need& need : needs) {
+  for (const Need& need : needs_) {
     if (!(need.recovery > 0.0)) continue;
     if (recovery.has_begun(need.pair)) recovery.add_overlap(need.pair, need.parting);
     if (of_pair == needed.end() || of_pair->first != need.pair)

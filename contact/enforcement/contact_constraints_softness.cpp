@@ -7,11 +7,15 @@
 
 namespace contactsim {
 
-/// One thread adds row by row, several carrier by carrier, each in the order of the rows.
+/// Those of the rows that press first. One thread adds row by row, several carrier by carrier, each in the
+/// order of the rows.
 void ContactConstraints::add_areas(LeaningAreas& areas) {
+  pressing_.add_areas(system_, areas);
+  if (!has_others()) return;
   const int n_threads = system_.n_threads();
   if (n_threads == 1) {
     system_.visit_rows([&](const Group& group, std::uint32_t row) {
+      if (group.presses) return;
       carriers_.add_areas(group.terms, system_.weights[row], direction(group, system_.rows[row]),
                           system_.rows[row].area, areas);
     });
@@ -21,7 +25,7 @@ void ContactConstraints::add_areas(LeaningAreas& areas) {
   parallel_for(system_.rows.size(), n_threads, [&](std::size_t i) { row_areas_[i] = system_.rows[i].area; });
   parallel_for(pushes_.n_carriers(), n_threads, [&](std::size_t carrier) {
     std::array<double, 2>& sums = areas[carrier];
-    for (const PushLists::Push& push : pushes_.of(carrier)) {
+    for (const RowPush& push : pushes_.of(carrier)) {
       sums[0] += row_areas_[push.row] * std::abs(push.weight);
       if (!push.arm) continue;
       const Row& row = system_.rows[push.row];
@@ -67,8 +71,10 @@ double ContactConstraints::slip_softness(const Group& group, std::uint32_t row,
 }
 
 void ContactConstraints::set_softness(const LeaningAreas& areas, const LightCarriers& light, double least) {
+  bool has_rigid = pressing_.set_softness(areas, dt_, system_);
   const auto set = [&](const Group& group) {
     int n_rigid = 0;
+    if (group.presses) return n_rigid;
     system_.visit_rows({&group, 1}, [&](const Group&, std::uint32_t i) {
       Row& row = system_.rows[i];
       row.softness = softness(group, i, areas, light, least);
@@ -79,9 +85,11 @@ void ContactConstraints::set_softness(const LeaningAreas& areas, const LightCarr
     });
     return n_rigid;
   };
-  const int most_rigid = parallel_max(system_.groups.size(), system_.n_threads(), 0,
-                                      [&](std::size_t i) { return set(system_.groups[i]); });
-  if (most_rigid == 0) return;
+  if (has_others())
+    has_rigid = parallel_max(system_.groups.size(), system_.n_threads(), 0,
+                             [&](std::size_t i) { return set(system_.groups[i]); }) > 0 ||
+                has_rigid;
+  if (!has_rigid) return;
   system_.remove_rigid_rows();
   list_pushes();
 }

@@ -127,6 +127,7 @@ BalanceReport MomentumBalance::solve(int max_iterations, RecoveryEnergy& recover
   contacts_.list_pushes();
   set_softness();
   contacts_.limit_recovery(recovery);
+  contacts_.begin_passes();
   push_forces();
   momenta_.clear();
   double momentum = 0.0, before = 1.0, share = 1.0, since_restart = 0.0;

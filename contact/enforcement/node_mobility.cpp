@@ -87,6 +87,11 @@ void NodeMobility::set_nodes(const Model& model, const ModelFreeDirections& dire
     general.rotation = (free_turns != nullptr ? *free_turns : all) / inertia;
     general.rotation_bound = largest_stretch(general.rotation);
   }
+  plain_.assign(contact_mesh.n_nodes(), std::nullopt);
+  for (const ContactNodeIndex node : contact_mesh.nodes()) {
+    const std::uint32_t body = contact_mesh.first_alike[node].value;
+    if (rigid_->is_free(contact_mesh.mesh_nodes[node]) && !general_[body]) plain_[node] = body;
+  }
 }
 
 void NodeMobility::set_bodies(const Model& model, const ModelFreeDirections& directions) {
@@ -152,10 +157,14 @@ void NodeMobility::use_ring(std::uint32_t carrier, NodeIndex mesh_node) {
 }
 
 std::optional<std::uint32_t> NodeMobility::plain_carrier(ContactNodeIndex node) {
-  const ContactMesh& contact_mesh = kinematics_->contact_mesh();
-  const bool is_plain =
-      rigid_->is_free(contact_mesh.mesh_nodes[node]) && !general_[contact_mesh.first_alike[node].value];
-  return is_plain ? std::optional(use_node(node)) : std::nullopt;
+  const OptionalIndex<std::uint32_t> body = plain_[node];
+  if (!body) return std::nullopt;
+  return carrier_[*body] ? *carrier_[*body] : use_node(node);
+}
+
+NodeVector NodeMobility::last_velocity(std::uint32_t carrier) const {
+  const Eigen::Vector3d velocity = kinematics_->last_v({carriers_[carrier].body});
+  return {velocity.x(), velocity.y(), velocity.z(), 0.0};
 }
 
 void NodeMobility::add_terms(ContactNodeIndex node, double weight, const Eigen::Vector3d& beside,
@@ -245,6 +254,7 @@ void NodeMobility::turn_rings(Changes& of) const {
 void NodeMobility::begin_passes() {
   first_ = next_;
   now_ = next_;
+  pressed_.assign(carriers_.size(), NodeVector::Zero());
   turn_rings(now_);
   turns_ =
       std::ranges::any_of(carriers_, [](const Carrier& carrier) { return carrier.general || carrier.ring; });
@@ -252,15 +262,19 @@ void NodeMobility::begin_passes() {
 
 void NodeMobility::end_pass() {
   std::swap(now_, next_);
+  parallel_for_ranges(
+      std::ssize(carriers_), threads_for(carriers_.size()), [this](std::int64_t begin, std::int64_t end) {
+        for (auto i = static_cast<std::size_t>(begin); i < static_cast<std::size_t>(end); ++i) {
+          now_.changes[i] += carriers_[i].mobility * pressed_[i];
+          pressed_[i].setZero();
+        }
+        const auto begin_again = [&](const auto& first, auto& next) {
+          std::copy(first.begin() + begin, first.begin() + end, next.begin() + begin);
+        };
+        begin_again(first_.changes, next_.changes);
+        if (turns_) begin_again(first_.turnings, next_.turnings);
+      });
   turn_rings(now_);
-  parallel_for_ranges(std::ssize(carriers_), threads_for(carriers_.size()),
-                      [this](std::int64_t begin, std::int64_t end) {
-                        const auto begin_again = [&](const auto& first, auto& next) {
-                          std::copy(first.begin() + begin, first.begin() + end, next.begin() + begin);
-                        };
-                        begin_again(first_.changes, next_.changes);
-                        if (turns_) begin_again(first_.turnings, next_.turnings);
-                      });
 }
 
 /// The change of velocity by a force over the coming step.

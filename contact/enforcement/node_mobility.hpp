@@ -4,6 +4,7 @@
 #include <Eigen/Core>
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "contact/enforcement/constraint_pass.hpp"
@@ -49,6 +50,8 @@ class NodeMobility {
   std::optional<std::uint32_t> plain_carrier(ContactNodeIndex node);
 
   std::size_t n_carriers() const { return carriers_.size(); }
+  /// How a carrier that is a node moved in the step before; the fourth number is 0 [length/time].
+  NodeVector last_velocity(std::uint32_t carrier) const;
   /// The nodes of the mesh among the carriers.
   const std::vector<std::uint32_t>& mesh_nodes() const { return mesh_nodes_; }
   /// The largest change of velocity per force [time/mass].
@@ -76,6 +79,7 @@ class NodeMobility {
   /// The changes of velocity in the last pass [length/time], the fourth number is 0, and of angular velocity
   /// [1/time].
   const NodeVector& change(std::uint32_t carrier) const { return now_.changes[carrier]; }
+  std::span<const NodeVector> changes() const { return now_.changes; }
   Eigen::Vector3d turning(std::uint32_t carrier) const { return now_.turnings[carrier].head<3>(); }
   /// Pushes a carrier over the coming step.
   ///   force, moment  [force] [force length]; the fourth number of a force is 0
@@ -85,6 +89,8 @@ class NodeMobility {
   }
   /// The change of velocity by what has pushed in the pass that runs [length/time].
   NodeVector& pushed(std::uint32_t carrier) { return next_.changes[carrier]; }
+  /// The forces that plain carriers are pushed by besides in the pass that runs [n_carriers] [force].
+  std::span<NodeVector> pressed() { return pressed_; }
 
  private:
   /// A body that turns, or that conditions hold along some directions.
@@ -99,8 +105,7 @@ class NodeMobility {
     OptionalIndex<std::uint32_t> general;  // position in generals_; none of a plain one
     double mobility = 0.0;    // the largest change of velocity per force, of a plain one any [time/mass]
     double turn_bound = 0.0;  // see turn_bound()
-    OptionalIndex<std::uint32_t>
-        ring;  // position in rings_, of one that turns with the mid surface around it
+    OptionalIndex<std::uint32_t> ring;  // in rings_, of one that turns with the mid surface around it
   };
   /// A node of a lofted shell and the carriers around it.
   struct Ring {
@@ -129,16 +134,18 @@ class NodeMobility {
   std::vector<OptionalIndex<std::uint32_t>> general_;  // [n_bodies] position in generals_
   std::vector<double> inverse_mass_;                   // [n_bodies] of plain ones, 0 of held ones [1/mass]
   std::vector<OptionalIndex<std::uint32_t>> carrier_;  // [n_bodies] among those of the step
-  /// [n_nodes of the mesh] the first one with it; empty where nothing turns with the mid surface
+  IndexedVector<ContactNodeIndex, OptionalIndex<std::uint32_t>> plain_;  // body of those that are plain
+  // [n_nodes of the mesh] the first one with it; empty where nothing turns with the mid surface
   std::vector<OptionalIndex<ContactNodeIndex>> contact_node_;
   std::vector<General> generals_;
   std::vector<std::uint32_t> mesh_nodes_;  // of the step
   std::vector<Carrier> carriers_;          // of the step
   std::vector<Ring> rings_;                // of the step
   std::vector<std::uint32_t> ring_carriers_;
-  Changes first_, now_, next_;  // before any pass, of the last one, of the one that runs
-  bool turns_ = false;          // some carrier of the passes does
-  double half_steps_ = 0.0;     // a force acts for [time]
+  Changes first_, now_, next_;       // before any pass, of the last one, of the one that runs
+  std::vector<NodeVector> pressed_;  // [n_carriers] in the pass that runs [force]
+  bool turns_ = false;               // some carrier of the passes does
+  double half_steps_ = 0.0;          // a force acts for [time]
 };
 
 }  // namespace contactsim

@@ -71,8 +71,7 @@ class PointCarriers {
   void visit_pushes(const Terms& terms, const Weights& weights, std::uint32_t row, const Take& take) const;
   /// Pushes one of them by all its rows.
   ///   forces  [n_rows]
-  void push(std::uint32_t carrier, std::span<const PushLists::Push> pushes,
-            std::span<const NodeVector> forces);
+  void push(std::uint32_t carrier, std::span<const RowPush> pushes, std::span<const NodeVector> forces);
 
  private:
   NodeMobility& mobility_;
@@ -105,17 +104,17 @@ template <class Take>
 void PointCarriers::visit_pushes(const Terms& terms, const Weights& weights, std::uint32_t row,
                                  const Take& take) const {
   for (std::uint32_t i = 0; i < terms.n_terms; ++i) {
-    PushLists::Push push{weights[i], row, {}};
+    RowPush push{weights[i], row, {}};
     if (terms.first_arm) push.arm = *terms.first_arm + i;
     take(terms.carriers[i], push);
   }
 }
 
-inline void PointCarriers::push(std::uint32_t carrier, std::span<const PushLists::Push> pushes,
+inline void PointCarriers::push(std::uint32_t carrier, std::span<const RowPush> pushes,
                                 std::span<const NodeVector> forces) {
   const double mobility = mobility_.translation_bound(carrier);
   NodeVector pushed = mobility_.pushed(carrier);
-  for (const PushLists::Push& push : pushes) {
+  for (const RowPush& push : pushes) {
     const NodeVector& force = forces[push.row];
     if (!push.arm) {
       pushed += mobility * (push.weight * force);

@@ -13,21 +13,23 @@
 
 namespace contactsim {
 
-/// The rows that push each carrier, in their order: B^T by its rows, where B has one row per constraint.
-/// Carriers that take their pushes from here sum up on all threads at once, each with the bits that the rows
-/// one after the other give.
+/// A row that pushes a carrier.
+struct RowPush {
+  double weight = 0.0;  ///< of the carrier in the row [1]
+  std::uint32_t row = 0;
+  OptionalIndex<std::uint32_t> arm;  ///< of a carrier that turns
+};
+
+/// What pushes each carrier, in its order: B^T by its rows, where B has one row per constraint. Carriers that
+/// take their pushes from here sum up on all threads at once, each with the bits that the pushes one after
+/// the other give.
+template <class Push>
 class PushLists {
  public:
-  struct Push {
-    double weight = 0.0;  ///< of the carrier in the row [1]
-    std::uint32_t row = 0;
-    OptionalIndex<std::uint32_t> arm;  ///< of a carrier that turns
-  };
-
   /// Makes the lists anew, by a counting sort of all threads: alike for any number of them.
-  ///   n_items    in which the rows come, groups of them
-  ///   visit      visit(begin, end, take) calls take(carrier, push) for all pushes of these items, rows
-  ///              ascending, alike each time
+  ///   n_items    in which the pushes come
+  ///   visit      visit(begin, end, take) calls take(carrier, push) for all pushes of these items, one after
+  ///              the other, alike each time
   template <class Visit>
   void make(std::size_t n_carriers, std::size_t n_items, int n_threads, const Visit& visit);
 
@@ -42,8 +44,9 @@ class PushLists {
   std::vector<Push> pushes_;             // carrier by carrier
 };
 
+template <class Push>
 template <class Visit>
-void PushLists::make(std::size_t n_carriers, std::size_t n_items, int n_threads, const Visit& visit) {
+void PushLists<Push>::make(std::size_t n_carriers, std::size_t n_items, int n_threads, const Visit& visit) {
   const auto n_parts = static_cast<std::size_t>(n_threads);
   const auto of_part = [&](std::size_t part) {
     return places_.begin() + static_cast<std::ptrdiff_t>(part * n_carriers);

@@ -51,11 +51,13 @@ struct BalancedCubes {
   /// Finds the forces by some passes without momentum.
   ContactLoss solve(int n_passes = 30, bool limits_recovery = false) {
     mobility.begin_passes();
+    contacts.list_pushes();
     LeaningAreas areas(mobility.n_carriers(), {0.0, 0.0});
     contacts.add_areas(areas);
     light.begin(mobility.n_carriers());
     contacts.set_softness(areas, light, 0.0);
     if (limits_recovery) contacts.limit_recovery(recovery);
+    contacts.begin_passes();
     contacts.push_forces();
     mobility.end_pass();
     for (int i = 0; i < n_passes; ++i) {

@@ -12,9 +12,11 @@ constexpr double balanced_step = BalancedCubes::dt;
 /// The force of a pass that sees a gap close by 0.01 at the first point: 0.01 over its softness.
 double softness_by(BalancedCubes& cubes, const LightCarriers& light, double least = 0.0) {
   cubes.mobility.begin_passes();
+  cubes.contacts.list_pushes();
   LeaningAreas areas(cubes.mobility.n_carriers(), {0.0, 0.0});
   cubes.contacts.add_areas(areas);
   cubes.contacts.set_softness(areas, light, least);
+  cubes.contacts.begin_passes();
   cubes.contacts.push_forces();
   cubes.mobility.end_pass();
   cubes.contacts.pass(0.0, light);

@@ -148,6 +148,7 @@ TEST_CASE("what a light body answers is the derivative of the forces of its poin
   cubes.begin({along, 0.3 * along, up});
   cubes.add(cubes.point(0.0));
   cubes.mobility.begin_passes();
+  cubes.contacts.list_pushes();
   LeaningAreas areas(cubes.mobility.n_carriers(), {0.0, 0.0});
   cubes.contacts.add_areas(areas);
   std::vector<CarrierLoad> loads(areas.size());
@@ -158,6 +159,7 @@ TEST_CASE("what a light body answers is the derivative of the forces of its poin
   cubes.light.add(body, cubes.mobility.mobility(body));
   cubes.contacts.set_softness(areas, cubes.light, 1e-3);
   cubes.contacts.add_rows(cubes.light);
+  cubes.contacts.begin_passes();
   cubes.contacts.push_forces();
   cubes.mobility.end_pass();
   constexpr double probe = 1e-6;
