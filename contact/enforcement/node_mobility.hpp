@@ -135,8 +135,7 @@ class NodeMobility {
   std::vector<double> inverse_mass_;                   // [n_bodies] of plain ones, 0 of held ones [1/mass]
   std::vector<OptionalIndex<std::uint32_t>> carrier_;  // [n_bodies] among those of the step
   IndexedVector<ContactNodeIndex, OptionalIndex<std::uint32_t>> plain_;  // body of those that are plain
-  // [n_nodes of the mesh] the first one with it; empty where nothing turns with the mid surface
-  std::vector<OptionalIndex<ContactNodeIndex>> contact_node_;
+  std::vector<OptionalIndex<ContactNodeIndex>> contact_node_;  // [n_nodes of the mesh] first; of rings alone
   std::vector<General> generals_;
   std::vector<std::uint32_t> mesh_nodes_;  // of the step
   std::vector<Carrier> carriers_;          // of the step
