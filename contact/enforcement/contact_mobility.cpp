@@ -26,6 +26,13 @@ Eigen::Vector4d with_lever(const Eigen::Vector4d& weights) {
   return weights.cwiseAbs().sum() * weights.cwiseAbs();
 }
 
+/// Whether contact alone may move some node: not where all have faces and no body is rigid.
+bool may_move_alone(const Model& model, const ContactMesh& contact_mesh) {
+  return !model.rigid.bodies.empty() || std::ranges::any_of(contact_mesh.nodes(), [&](ContactNodeIndex node) {
+    return contact_mesh.faces_of_node.of(node).empty();
+  });
+}
+
 }  // namespace
 
 ContactMobility::ContactMobility(const Model& model) : model_(model) {
@@ -137,6 +144,7 @@ std::span<const double> ContactMobility::find_accelerations(const ContactKinemat
   const ContactMesh& contact_mesh = kinematics.contact_mesh();
   carrier_forces_.assign(contact_mesh.n_nodes() + model_.rigid.bodies.size(), Eigen::Vector3d::Zero());
   accelerations_.assign(points.size(), 0.0);
+  if (!may_move_alone(model_, contact_mesh)) return accelerations_;
   const auto visit = [&](const ContactPointSide& side, const auto& take) {
     for (std::size_t k = 0; k < 4; ++k) {
       const double weight = side.weights[static_cast<Eigen::Index>(k)];

@@ -56,6 +56,14 @@ bool has_opposite(const ContactStepContext& context, const Ahead& ahead, const E
   });
 }
 
+/// Whether a face lies in a surface with one of this normal, without a root: most do. Says no where it is
+/// close.
+bool is_surely_smooth(const Eigen::Vector3d& area, const Eigen::Vector3d& normal) {
+  constexpr double more = 1.0 + 1e-9;
+  const double along = area.dot(normal);
+  return along > 0.0 && along * along > more * sharpest_smooth * sharpest_smooth * area.squaredNorm();
+}
+
 /// Whether all points lie in the strip of a side face below one of its rims.
 bool lie_in_strip(const ContactStepContext& context, FaceIndex face, const Ahead& ahead) {
   const ContactMesh& contact_mesh = context.kinematics.contact_mesh();
@@ -78,7 +86,9 @@ bool lie_in_strip(const ContactStepContext& context, FaceIndex face, const Ahead
       if (contact_mesh.faces[beyond].surface != side.surface || beyond == face) continue;
       place_side();
       const Eigen::Vector3d x = context.kinematics.x(corner);
-      const Eigen::Vector3d out = context.kinematics.area(contact_mesh.faces[beyond]).normalized();
+      const Eigen::Vector3d area = context.kinematics.area(contact_mesh.faces[beyond]);
+      if (is_surely_smooth(area, normal)) continue;
+      const Eigen::Vector3d out = area.normalized();
       const double height = (x - centre).dot(out);
       if (out.dot(normal) > sharpest_smooth || !(height > 0.0)) continue;
       if (out.dot(ahead.normal) < max_skew) continue;  // it is the face beyond that stands on what lies ahead

@@ -19,6 +19,7 @@ constexpr double next_to_smooth = 0.1;
 }  // namespace
 
 std::array<double, 2> shares_of_normals(double cosine, double sharpness_1, double sharpness_2) {
+  if (cosine >= no_lean) return {1.0, 1.0};
   const double lean = smooth_step(std::clamp((no_lean - cosine) / (no_lean - full_lean), 0.0, 1.0));
   const double sharper_1 = (sharpness_1 - sharpness_2) / (sharpness_1 + sharpness_2 + next_to_smooth);
   return {1.0 - lean * std::max(sharper_1, 0.0), 1.0 - lean * std::max(-sharper_1, 0.0)};

@@ -36,15 +36,24 @@ const OverlapPolygon& cut(const OverlapPolygon& polygon, const Side& side_of, Ov
   const double outside = -negligible * most;
   if (least >= outside) return polygon;
   for (int i = 0; i < polygon.n; ++i) side[i] = side[i] < outside ? side[i] : std::max(side[i], 0.0);
+  // Corners and crossings are written wherever they may be one, and left standing where they are: which are
+  // cannot be foretold, and a branch that is foretold wrongly costs more.
   kept.n = 0;
+  const auto write = [&](double u, double v, double gap) {
+    kept.u[kept.n] = u;
+    kept.v[kept.n] = v;
+    kept.gap[kept.n] = gap;
+  };
   for (int i = 0; i < polygon.n; ++i) {
     const int next = i + 1 < polygon.n ? i + 1 : 0;
-    if (side[i] >= 0.0) kept.add(polygon.u[i], polygon.v[i], polygon.gap[i]);
-    if ((side[i] >= 0.0) == (side[next] >= 0.0)) continue;
+    const bool is_inside = side[i] >= 0.0, is_crossing = is_inside != (side[next] >= 0.0);
+    write(polygon.u[i], polygon.v[i], polygon.gap[i]);
+    kept.n += is_inside ? 1 : 0;
     const double t = side[i] / (side[i] - side[next]);
-    kept.add(polygon.u[i] + t * (polygon.u[next] - polygon.u[i]),
-             polygon.v[i] + t * (polygon.v[next] - polygon.v[i]),
-             polygon.gap[i] + t * (polygon.gap[next] - polygon.gap[i]));
+    write(polygon.u[i] + t * (polygon.u[next] - polygon.u[i]),
+          polygon.v[i] + t * (polygon.v[next] - polygon.v[i]),
+          polygon.gap[i] + t * (polygon.gap[next] - polygon.gap[i]));
+    kept.n += is_crossing ? 1 : 0;
     if (kept.n >= OverlapPolygon::max_corners) break;
   }
   kept.n = std::min(kept.n, OverlapPolygon::max_corners);

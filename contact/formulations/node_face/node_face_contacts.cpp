@@ -272,12 +272,16 @@ NodePenaltyInput NodeFaceContacts::make_push(const ContactStepContext& context, 
   const SurfacePair& pair = *context.rules[near_face.pair].pair;
   const double area =
       near_face.share * context.kinematics.area_against(node, near_face.point.normal, pair.smoothing);
-  const MovingFace moving = context.kinematics.face(near_face.face);
   const Eigen::Vector3d arm = -static_cast<double>(node.radius) * near_face.point.normal;
+  FaceCorners velocities;
+  for (Eigen::Index k = 0; k < 4; ++k)
+    velocities.col(k) = context.kinematics.v(contact_point.second.nodes[static_cast<std::size_t>(k)]);
   const Eigen::Vector3d relative =
-      context.kinematics.velocity_beside(node.node, arm) - moving.v * contact_point.second.weights;
-  const Eigen::Vector3d last = context.kinematics.last_velocity_beside(node.node, arm) -
-                               context.kinematics.last_face(near_face.face).v * contact_point.second.weights;
+      context.kinematics.velocity_beside(node.node, arm) - velocities * contact_point.second.weights;
+  Eigen::Vector3d last = Eigen::Vector3d::Zero();  // for laws across a gap alone
+  if (context.rules.of_node(near_face.pair, row).acts_apart())
+    last = context.kinematics.last_velocity_beside(node.node, arm) -
+           context.kinematics.last_face(near_face.face).v * contact_point.second.weights;
   return {near_face.penalty, pair.damping_fraction, area, relative,
           context.dt,        context.coming_dt,     last, context.is_static};
 }

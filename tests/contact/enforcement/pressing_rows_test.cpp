@@ -103,9 +103,9 @@ struct RandomRows {
         for (std::size_t k = 0; k < group.terms.n_terms; ++k)
           velocity += system.weights[i][k] * changes[group.terms.carriers[k]];
         const double now = group.normal.dot(row.ahead);
-        const double gap =
+        const double opened =
             row.start + dt * group.normal.dot(velocity) + constraint_compliance * row.softness * now;
-        const double closing = now - (1.0 - constraint_compliance) / row.softness * gap;
+        const double closing = now - (1.0 - constraint_compliance) / row.softness * opened;
         sums.take(row, NodeVector((row.pulls ? closing : std::max(0.0, closing)) * group.normal), 0.3);
       });
       push_slowly(changes);
