@@ -18,9 +18,11 @@ std::vector<std::uint32_t> find_bodies(const Mesh& mesh) {
     if (family != Family::solid && family != Family::shell) continue;
     for (std::uint32_t e = 0; e < block.n_elements; ++e) {
       const auto nodes = block.element_nodes(e);
-      for (const NodeIndex node : nodes) {
-        const auto [low, high] = std::minmax({first_of(nodes[0].value), first_of(node.value)});
-        body[high] = low;
+      std::uint32_t first = first_of(nodes[0].value);
+      for (const NodeIndex node : nodes.subspan(1)) {
+        const std::uint32_t other = first_of(node.value);
+        body[std::max(first, other)] = std::min(first, other);
+        first = std::min(first, other);
       }
     }
   }

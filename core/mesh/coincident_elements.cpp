@@ -28,6 +28,16 @@ bool has_corners(const ElementBlock& block) {
   return family == Family::solid || family == Family::shell;
 }
 
+/// The same for elements on the same nodes, whatever their order.
+std::uint64_t sum_of_corners(const Mesh& mesh, ElementIndex element) {
+  const ElementBlock& block = mesh.blocks()[mesh.block_of(element)];
+  std::uint64_t sum = 0;
+  for (const NodeIndex node :
+       block.element_nodes(element.value - block.first_element.value).first(topology(block.shape).n_corners))
+    sum += node.value;
+  return sum;
+}
+
 SortedCorners corners_of(const ElementBlock& block, std::uint32_t element) {
   const Topology& shape = topology(block.shape);
   const auto nodes = block.element_nodes(element).first(shape.n_corners);
@@ -77,9 +87,14 @@ std::optional<CoincidentElements> find_coincident_elements(const Mesh& mesh) {
   const NodeBuckets buckets = make_buckets(mesh);
   CoincidentElements found;
   std::vector<std::pair<SortedCorners, std::uint32_t>> bucket;
+  std::vector<std::uint64_t> sums;
   for (std::size_t node = 0; node + 1 < buckets.begin.size(); ++node) {
     const std::uint32_t begin = buckets.begin[node], end = buckets.begin[node + 1];
     if (end - begin < 2) continue;
+    sums.clear();
+    for (std::uint32_t i = begin; i < end; ++i) sums.push_back(sum_of_corners(mesh, {buckets.elements[i]}));
+    std::ranges::sort(sums);
+    if (std::ranges::adjacent_find(sums) == sums.end()) continue;
     bucket.clear();
     for (std::uint32_t i = begin; i < end; ++i) {
       const ElementBlock& block = mesh.blocks()[mesh.block_of({buckets.elements[i]})];

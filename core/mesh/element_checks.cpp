@@ -70,6 +70,32 @@ double shell_area(const Eigen::Matrix3Xd& coordinates, std::span<const NodeIndex
   return 0.5 * side(0, is_triangle ? 1 : 2).cross(side(is_triangle ? 0 : 1, is_triangle ? 2 : 3)).norm();
 }
 
+/// Whether a solid of corners alone has so much volume that no rounding makes it doubtful. The four terms of
+/// a face are (b x c) (a + d) + (d x a) (b + c): half the products of cone_volume(), and rounded otherwise.
+bool is_plainly_sound(const Eigen::Matrix3Xd& coordinates, std::span<const NodeIndex> nodes,
+                      const Topology& shape, double noise) {
+  constexpr double rounding = 1e-10;
+  if (shape.n_shape_nodes() != shape.n_corners) return false;
+  const Eigen::Vector3d origin = coordinates.col(nodes[0].value);
+  std::array<Eigen::Vector3d, max_shape_nodes> x;
+  double extent = 0.0;
+  for (std::size_t i = 0; i < shape.n_corners; ++i) {
+    x[i] = coordinates.col(nodes[i].value) - origin;
+    extent = std::max(extent, x[i].lpNorm<Eigen::Infinity>());
+  }
+  double sum = 0.0;
+  for (const Side& side : shape.sides) {
+    const Eigen::Vector3d &a = x[side.corners[0]], &b = x[side.corners[1]], &c = x[side.corners[2]];
+    if (side.corners[2] == side.corners[3]) {
+      sum += triple(a, b, c);
+    } else {
+      const Eigen::Vector3d& d = x[side.corners[3]];
+      sum += 0.5 * (b.cross(c).dot(a + d) + d.cross(a).dot(b + c));
+    }
+  }
+  return std::isfinite(sum) && sum > 6.0 * noise + rounding * extent * extent * extent;
+}
+
 // Sizes below this are round-off: coordinates of size `far` carry errors of eps * far each.
 double round_off(const Eigen::Matrix3Xd& coordinates, std::span<const NodeIndex> nodes,
                  const Topology& shape) {
@@ -97,9 +123,10 @@ std::vector<DoubtfulElement> find_doubtful(const Mesh& mesh, const ElementBlock&
 #pragma omp parallel for schedule(static) num_threads(threads_for(block.n_elements))
   for (std::int64_t e = 0; e < n; ++e) {
     const auto nodes = block.element_nodes(static_cast<std::uint32_t>(e));
+    const double noise = round_off(mesh.coordinates(), nodes, shape);
+    if (shape.family == Family::solid && is_plainly_sound(mesh.coordinates(), nodes, shape, noise)) continue;
     const double size = shape.family == Family::solid ? solid_volume(mesh.coordinates(), nodes, shape)
                                                       : shell_area(mesh.coordinates(), nodes, shape);
-    const double noise = round_off(mesh.coordinates(), nodes, shape);
     if (size > noise && std::isfinite(size)) continue;
     const ElementIndex element{block.first_element.value + static_cast<std::uint32_t>(e)};
 #pragma omp critical(contactsim_doubtful_elements)

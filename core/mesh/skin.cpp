@@ -6,7 +6,6 @@
 #include <utility>
 #include <vector>
 
-#include "core/base/optional_index.hpp"
 #include "core/base/threads.hpp"
 #include "core/mesh/element_faces.hpp"
 
@@ -33,56 +32,49 @@ class RangeElements {
   }
 
  private:
-  /// Calls `visit(place, element)` for every pair of a range and an element of it, on several threads.
-  ///   place  that of counts_ for the range and the thread's chunk of elements
-  template <class Visit>
-  void for_each_pair(Visit&& visit);
+  /// The elements of each range, of those from one on before another [n_ranges].
+  std::vector<std::vector<std::uint32_t>> list(const Mesh& mesh, std::span<const std::uint8_t> present,
+                                               std::uint32_t begin, std::uint32_t end) const;
 
-  const Mesh& mesh_;
-  std::span<const std::uint8_t> present_;
-  std::vector<std::size_t> begin_;                ///< [n_ranges + 1]
-  std::vector<std::vector<std::size_t>> counts_;  ///< [n_chunks][n_ranges], then where the next entry goes
+  std::vector<std::size_t> begin_;  ///< [n_ranges + 1]
   std::vector<std::uint32_t> elements_;
 };
 
-/// More counts than this cost more time than they save.
+/// More lists than this cost more time than they save.
 constexpr int max_chunks = 64;
 
 RangeElements::RangeElements(const Mesh& mesh, std::span<const std::uint8_t> present)
-    : mesh_(mesh),
-      present_(present),
-      begin_((mesh.n_nodes() + nodes_per_range - 1) / nodes_per_range + 1, 0),
-      counts_(static_cast<std::size_t>(std::min(threads_for(mesh.n_elements()), max_chunks)),
-              std::vector<std::size_t>(n_ranges(), 0)) {
-  for_each_pair([](std::size_t& count, std::uint32_t) { ++count; });
-  std::size_t total = 0;
+    : begin_((mesh.n_nodes() + nodes_per_range - 1) / nodes_per_range + 1, 0) {
+  const int n_chunks = std::min(threads_for(mesh.n_elements()), max_chunks);
+  const auto begin_of = [&](int chunk) {
+    return static_cast<std::uint32_t>(std::uint64_t{mesh.n_elements()} * static_cast<std::uint64_t>(chunk) /
+                                      static_cast<std::uint64_t>(n_chunks));
+  };
+  std::vector<std::vector<std::vector<std::uint32_t>>> lists(static_cast<std::size_t>(n_chunks));
+  parallel_for(n_chunks, n_chunks, [&](int chunk) {
+    lists[static_cast<std::size_t>(chunk)] = list(mesh, present, begin_of(chunk), begin_of(chunk + 1));
+  });
   for (std::uint32_t range = 0; range < n_ranges(); ++range) {
-    begin_[range] = total;
-    for (auto& counts : counts_) total += std::exchange(counts[range], total);
+    begin_[range + 1] = begin_[range];
+    for (const auto& of_chunk : lists) begin_[range + 1] += of_chunk[range].size();
   }
-  begin_.back() = total;
-  elements_.resize(total);
-  for_each_pair([&](std::size_t& next, std::uint32_t element) { elements_[next++] = element; });
+  elements_.reserve(begin_.back());
+  for (std::uint32_t range = 0; range < n_ranges(); ++range) {
+    for (const auto& of_chunk : lists)
+      elements_.insert(elements_.end(), of_chunk[range].begin(), of_chunk[range].end());
+  }
 }
 
-template <class Visit>
-void RangeElements::for_each_pair(Visit&& visit) {
-  const int n_chunks = static_cast<int>(counts_.size());
-  const auto begin_of = [&](int chunk) {
-    const auto position = static_cast<std::uint64_t>(chunk);
-    return static_cast<std::uint32_t>(std::uint64_t{mesh_.n_elements()} * position / counts_.size());
-  };
-#pragma omp parallel for schedule(static, 1) num_threads(n_chunks)
-  for (int chunk = 0; chunk < n_chunks; ++chunk) {
-    auto& places = counts_[static_cast<std::size_t>(chunk)];
-    std::vector<OptionalIndex<std::uint32_t>> last(places.size());
-    visit_faces(mesh_, begin_of(chunk), begin_of(chunk + 1), [&](ElementSide side, const Corners& corners) {
-      const std::uint32_t element = side.element().value, range = range_of(smallest(corners));
-      if (!present_[element] || last[range] == element) return;
-      last[range] = element;
-      visit(places[range], element);
-    });
-  }
+std::vector<std::vector<std::uint32_t>> RangeElements::list(const Mesh& mesh,
+                                                            std::span<const std::uint8_t> present,
+                                                            std::uint32_t begin, std::uint32_t end) const {
+  std::vector<std::vector<std::uint32_t>> lists(n_ranges());
+  visit_faces(mesh, begin, end, [&](ElementSide side, const Corners& corners) {
+    const std::uint32_t element = side.element().value;
+    std::vector<std::uint32_t>& of_range = lists[range_of(smallest(corners))];
+    if (present[element] && (of_range.empty() || of_range.back() != element)) of_range.push_back(element);
+  });
+  return lists;
 }
 
 /// Turns counts into the offsets where each begins; returns their sum.

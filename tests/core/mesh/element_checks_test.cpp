@@ -166,3 +166,26 @@ TEST_CASE("shells without area and elements beyond all numbers are refused", "[c
   cube.coordinates *= 1e150;
   CHECK_THAT(complaints(Mesh(cube)), Contains("1 element is so large"));
 }
+
+TEST_CASE("solids are told where their volume is not positive, however warped, far or small",
+          "[core][elements]") {
+  const double size = GENERATE(1.0, 1e-9, 1e6), far = GENERATE(0.0, 1e3);
+  std::mt19937 random(11);
+  std::uniform_real_distribution<double> shift(-0.9, 0.9);
+  std::size_t n_told = 0;
+  for (int i = 0; i < 200; ++i) {
+    MeshParts parts = MeshBuilder().add_hexes({}).add_wedges({.id = 2, .origin = {3, 0, 0}}).parts();
+    for (Eigen::Index n = 0; n < parts.coordinates.cols(); ++n) {
+      for (int axis = 0; axis < 3; ++axis) parts.coordinates(axis, n) += shift(random);
+    }
+    parts.coordinates = (parts.coordinates.array() + far) * size;
+    const Mesh mesh(parts);
+    std::size_t n_bad = 0;
+    for (std::uint32_t e = 0; e < mesh.n_elements(); ++e) n_bad += volume_of(mesh, e) > 0.0 ? 0 : 1;
+    const std::string text = complaints(mesh);
+    CHECK(text.empty() == (n_bad == 0));
+    if (n_bad > 0) CHECK_THAT(text, Contains(std::to_string(n_bad) + " element"));
+    n_told += n_bad;
+  }
+  CHECK(n_told > 20);
+}
