@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "app/run/simulation_parts.hpp"
+#include "core/base/memory_pages.hpp"
 #include "core/parallel/on_root.hpp"
 
 namespace contactsim {
@@ -60,6 +61,7 @@ void Simulation::begin() {
 void Simulation::begin_anew() {
   Parts& run = *parts_;
   run.take_over();
+  return_freed_memory();
   run.start_anew();
   notify(RunEvent::begun);
   run.complete_state();

@@ -15,6 +15,7 @@
 #include "app/run/transfer_refusals.hpp"
 #include "contact/interface_laws/refuse_laws.hpp"
 #include "core/base/memory_error.hpp"
+#include "core/base/memory_pages.hpp"
 #include "core/definition/simulation.hpp"
 #include "core/dynamics/state_motion.hpp"
 #include "core/interface_laws/interface_law_table.hpp"
@@ -143,7 +144,8 @@ Simulation::Parts::Parts(const RunInput& run_input, RunSettings run_settings, Di
   if (death) death->begin(state);
   if (contact) {
     timed_contact.emplace(contact->force());
-    state.forces.contact = Eigen::Matrix3Xd::Zero(3, input.mesh.n_nodes());
+    state.forces.contact.resize(3, input.mesh.n_nodes());
+    set_zero_without_memory(state.forces.contact);  // few nodes are in contact
   }
   warn_of_new_contact();
   refuse_held_anew();

@@ -14,6 +14,7 @@
 #include "contact/formulations/start_depths.hpp"
 #include "contact/interface_laws/make_interface_laws.hpp"
 #include "core/base/errors.hpp"
+#include "core/base/memory_pages.hpp"
 #include "core/base/threads.hpp"
 #include "core/definition/contact.hpp"
 
@@ -169,7 +170,8 @@ void ContactForce::begin_step(const Motion& motion) {
 
 ForceReport ContactForce::set_forces(const Motion& motion, Eigen::Matrix3Xd& forces) {
   const bool is_first = !has_begun_;
-  if (is_first) forces.setZero();  // later on only contact nodes ever have another value
+  // Later on only contact nodes ever have another value.
+  if (is_first) set_zero_without_memory(forces);
   for (const NodeIndex node : std::exchange(left_, {})) forces.col(node.value).setZero();
   const bool have_conditions_changed = mobility_.update(motion.time);
   if (have_conditions_changed) {
