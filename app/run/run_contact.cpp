@@ -165,8 +165,9 @@ void RunContact::warn_of_start(Diagnostics& warnings) const {
 void RunContact::warn_of_end(const State& state, Diagnostics& warnings) {
   // Contact may have seen a trial last that is not the state.
   const Motion motion = motion_of(state);
-  const ContactKinematics now = force_.kinematics().at(motion);
-  watch_.look(moment_of(state, now));
+  std::optional<ContactKinematics> now;
+  if (watch_.has_several_bodies()) now.emplace(force_.kinematics().at(motion));
+  watch_.look(moment_of(state, now ? *now : force_.kinematics()));
   if (!input_.procedure.implicit_by && state.energies.largest > energy_of_round_off(model_, state.dt))
     energy_.warn(contact_, state.energies, warnings);
   warn_of_depths(force_.histories(), contact_, mesh_, warnings);

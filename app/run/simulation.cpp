@@ -61,8 +61,10 @@ void Simulation::begin() {
 void Simulation::begin_anew() {
   Parts& run = *parts_;
   run.take_over();
+  // What sets up and starts takes more for a while than steps do.
   return_freed_memory();
   run.start_anew();
+  return_freed_memory();
   notify(RunEvent::begun);
   run.complete_state();
   run.energy_warnings.begin(run.state);

@@ -72,8 +72,8 @@ bool InterpenetrationWatch::is_look_due(const ContactMoment& moment, int n_steps
 
 void InterpenetrationWatch::look(const ContactMoment& moment) {
   if (has_several_bodies_) find_deep(moment);
-  IndexedVector<ContactNodeIndex, Eigen::Vector3d> now = places_of(moment);
-  if (!before_.empty()) {
+  if (!before_.empty() && moment.kinematics.contact_mesh().loft.size() > 0) {
+    const IndexedVector<ContactNodeIndex, Eigen::Vector3d> now = places_of(moment);
     for (const SheetCrossing& crossing :
          find_crossed_sheets(moment.kinematics.contact_mesh(), moment.rules, before_, now)) {
       const PairRule& rule = moment.rules[crossing.pair];
@@ -84,7 +84,8 @@ void InterpenetrationWatch::look(const ContactMoment& moment) {
       found.crossed_time = moment.time;
     }
   }
-  before_ = std::move(now);
+  before_ = {};
+  before_ = places_of(moment);
   n_since_ = 0;
 }
 

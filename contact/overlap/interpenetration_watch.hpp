@@ -50,8 +50,9 @@ class InterpenetrationWatch {
   /// since the last look, as seen from the mean of all. Of the coordinates it reads those of contact nodes.
   ///   n_steps  that pass at least between two looks
   bool is_look_due(const ContactMoment& moment, int n_steps);
-  /// Reads the coordinates of all nodes.
+  /// Reads the coordinates of all nodes where there are several bodies, which could lie in each other.
   void look(const ContactMoment& moment);
+  bool has_several_bodies() const { return has_several_bodies_; }
   /// Contact nodes have other numbers from now on: ways begin anew.
   void renumber() { before_.clear(); }
 
@@ -64,7 +65,7 @@ class InterpenetrationWatch {
 
   const ContactModel& model_;
   const Mesh& mesh_;
-  bool has_several_bodies_;  // else nothing can lie in another one
+  bool has_several_bodies_ = false;
   IndexedVector<PairIndex, Interpenetration> of_pair_;
   IndexedVector<ContactNodeIndex, Eigen::Vector3d>
       before_;       // [n_contact_nodes] mesh nodes of contact nodes, at the last look

@@ -97,7 +97,10 @@ void reorder_places(Order order, std::vector<std::uint32_t>& places) {
 }
 
 void reorder_elements(MeshParts& parts) {
+  std::size_t n_elements = 0;
+  for (const ElementBlock& block : parts.blocks) n_elements += block.n_elements;
   Order order;
+  order.reserve(n_elements);
   for (ElementBlock& block : parts.blocks) {
     const Order of_block = order_elements(block, parts.coordinates);
     reorder(of_block, static_cast<std::size_t>(block.nodes_per_element), block.nodes);

@@ -18,7 +18,7 @@ struct TwoCubes {
 
   explicit TwoCubes(const std::string& more = "") : parts(cubes(), general_contact(more)) {
     model.mesh = &parts.mesh;
-    model.mass = Eigen::Matrix3Xd::Constant(3, 16, 0.5);
+    model.mass = Eigen::RowVectorXd::Constant(16, 0.5);
   }
   void hold(std::vector<NodeIndex> nodes, const Direction& direction) {
     PrescribedMotion held;

@@ -23,7 +23,7 @@ struct CubeBlocks {
     for (std::uint32_t i = 0; i < 2; ++i)
       model.blocks.push_back(
           make_solid_block(mesh, i, *find_solid_element(Shape::hex8, "mean_quadrature"), undamped_elastic()));
-    model.mass = Eigen::Matrix3Xd::Ones(3, mesh.n_nodes());
+    model.mass = Eigen::RowVectorXd::Ones(mesh.n_nodes());
     state = make_state(mesh.coordinates(), model.blocks, 0.0);
     state.dt = 1e-3;
     state.energies.largest = 1000.0;

@@ -17,7 +17,7 @@ struct Cube {
 
   Cube() {
     model.mesh = &mesh;
-    model.mass = Eigen::Matrix3Xd::Ones(3, 8);
+    model.mass = Eigen::RowVectorXd::Ones(8);
     state.dt = 1e-3;
   }
 

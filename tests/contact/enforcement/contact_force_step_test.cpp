@@ -37,7 +37,7 @@ double eigenvalue_of(ContactBodies& bodies) {
     matrix.col(i) = (bodies.forces.reshaped() - more) / (2.0 * step);
     bodies.x.data()[i] = was;
   }
-  const Eigen::VectorXd root = bodies.model.mass.reshaped().cwiseSqrt().cwiseInverse();
+  const Eigen::VectorXd root = bodies.model.mass.replicate<3, 1>().reshaped().cwiseSqrt().cwiseInverse();
   matrix = root.asDiagonal() * matrix * root.asDiagonal();
   return Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(0.5 * (matrix + matrix.transpose()))
       .eigenvalues()

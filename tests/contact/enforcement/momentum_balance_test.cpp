@@ -50,7 +50,7 @@ struct ClosingBlocks {
 
   /// Velocities after the forces have acted over the step.
   Eigen::Matrix3Xd velocity_after(const Eigen::Matrix3Xd& forces) const {
-    return state.velocity + step * forces.cwiseQuotient(bodies.model.mass);
+    return state.velocity + step * forces.cwiseQuotient(bodies.model.mass.replicate<3, 1>());
   }
 
   static constexpr double step = 0.1;
@@ -99,7 +99,7 @@ TEST_CASE("momentum balance closes the gap and no more, alike on both sides", "[
   // What is lost is never gained.
   CHECK(blocks.report->impact_work >= 0.0);
   const auto kinetic = [&](const Eigen::Matrix3Xd& v) {
-    return 0.5 * v.cwiseAbs2().cwiseProduct(blocks.bodies.model.mass).sum();
+    return 0.5 * v.cwiseAbs2().cwiseProduct(blocks.bodies.model.mass.replicate<3, 1>()).sum();
   };
   CHECK(kinetic(after) <= kinetic(blocks.state.velocity));
 }
@@ -111,7 +111,8 @@ TEST_CASE(
   const Eigen::Vector3d still = Eigen::Vector3d::Zero();
   ClosingBlocks overlapping(formulation, -1e-3);
   const Eigen::Matrix3Xd after = overlapping.velocity_after(overlapping.forces_at(still));
-  const double given = 0.5 * after.cwiseAbs2().cwiseProduct(overlapping.bodies.model.mass).sum();
+  const double given =
+      0.5 * after.cwiseAbs2().cwiseProduct(overlapping.bodies.model.mass.replicate<3, 1>()).sum();
   CHECK(given > 0.0);
   CHECK(given < overlapping.bodies.contact.recovery_energy().of_overlaps({0}));
 
@@ -144,7 +145,8 @@ TEST_CASE("what a hit takes in the first step is lost", "[contact][enforcement]"
   // The leapfrog stands mirrored before it: m |v0|^2 / 2 becomes m (|v0|^2 - |v - v0|^2) / 2.
   const Eigen::Matrix3Xd change =
       0.5 * ClosingBlocks::step * forces.cwiseQuotient(blocks.bodies.model.mass.replicate<3, 1>());
-  const double taken = 0.5 * change.cwiseAbs2().cwiseProduct(blocks.bodies.model.mass).sum();
+  const double taken =
+      0.5 * change.cwiseAbs2().cwiseProduct(blocks.bodies.model.mass.replicate<3, 1>()).sum();
   REQUIRE(taken > 0.0);
   CHECK(blocks.report->impact_work == Approx(taken));
 }

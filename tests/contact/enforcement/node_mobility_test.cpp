@@ -213,7 +213,7 @@ TEST_CASE("a push on a point of a loft gives the nodes around its momentum and m
   test::ContactParts parts(b, test::general_contact());
   Model model;
   model.mesh = &parts.mesh;
-  model.mass = Eigen::Matrix3Xd::Constant(3, parts.x.cols(), 1.5);
+  model.mass = Eigen::RowVectorXd::Constant(parts.x.cols(), 1.5);
   const ContactMesh& contact_mesh = parts.contact_mesh;
   const LoftSpins spins(contact_mesh.loft, static_cast<std::size_t>(parts.x.cols()), RigidNodes{});
   parts.kinematics.turn_by(spins);
@@ -254,7 +254,7 @@ TEST_CASE("areas that turn a node of a loft lean on the nodes around", "[contact
   test::ContactParts parts(b, test::general_contact());
   Model model;
   model.mesh = &parts.mesh;
-  model.mass = Eigen::Matrix3Xd::Constant(3, 9, 1.5);
+  model.mass = Eigen::RowVectorXd::Constant(9, 1.5);
   const ContactMesh& contact_mesh = parts.contact_mesh;
   const LoftSpins spins(contact_mesh.loft, 9, RigidNodes{});
   parts.kinematics.turn_by(spins);

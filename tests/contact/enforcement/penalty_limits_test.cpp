@@ -46,7 +46,7 @@ TEST_CASE("faces that are held along their normal, or rigid, have no limit and a
   for (ContactFace& face : parts.contact_mesh.faces) face.penalty_properties.stiffness = 1e9;
   Model model;
   model.mesh = &parts.mesh;
-  model.mass = Eigen::Matrix3Xd::Constant(3, 8, 1e-3);
+  model.mass = Eigen::RowVectorXd::Constant(8, 1e-3);
   PrescribedMotion held;
   held.direction = Components{{false, false, true}};
   for (std::uint32_t node = 0; node < 8; ++node) held.nodes.push_back({node});

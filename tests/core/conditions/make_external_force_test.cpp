@@ -24,8 +24,7 @@ Mesh cubes_of_loads() {
 struct MadeLoads {
   explicit MadeLoads(const std::string& lines, double inertia = 1.0)
       : mesh(cubes_of_loads()), deck(mesh, lines) {
-    mass.row(0).setLinSpaced(1.0, 12.0);
-    mass.row(1) = mass.row(2) = mass.row(0);
+    mass.setLinSpaced(1.0, 12.0);
     inertias.setConstant(inertia);
     inertias.col(2).setConstant(minimum_nodal_mass);
     made.emplace(make_external_force(deck.scope(), mass, inertias));

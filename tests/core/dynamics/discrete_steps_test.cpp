@@ -29,7 +29,7 @@ struct Chain {
     block.discrete.stiffness.assign(block.n_batches(), Lanes::Constant(stiffness));
     block.discrete.stable_step.assign(block.n_batches(), Lanes::Constant(infinity));
     model.blocks.push_back(block);
-    model.mass.resize(3, static_cast<Eigen::Index>(masses.size()));
+    model.mass.resize(static_cast<Eigen::Index>(masses.size()));
     for (std::size_t i = 0; i < masses.size(); ++i)
       model.mass.col(static_cast<Eigen::Index>(i)).setConstant(masses[i]);
     set_discrete_steps(model);

@@ -85,7 +85,7 @@ struct Cube {
 
   Cube() {
     model.mesh = &mesh;
-    model.mass = Eigen::Matrix3Xd::Constant(3, mesh.n_nodes(), 2.0);
+    model.mass = Eigen::RowVectorXd::Constant(mesh.n_nodes(), 2.0);
   }
 };
 

@@ -21,7 +21,7 @@ struct Cross {
       builder.add_node(x);
     mesh = builder.build();
     model.mesh = &mesh;
-    model.mass = Matrix3Xd::Ones(3, 5);
+    model.mass = Eigen::RowVectorXd::Ones(5);
     RigidBody body;
     body.name = "cross";
     body.nodes = {{0}, {1}, {2}, {3}};

@@ -118,7 +118,7 @@ TEST_CASE("rigid bodies go on from where they are, about the centre of mass of n
   body.mass = 1.0;
   for (std::uint32_t i = 0; i < sheets.mesh.n_nodes(); ++i) body.nodes.push_back(NodeIndex{i});
   body.arms = sheets.mesh.coordinates();
-  model.mass = Eigen::Matrix3Xd::Ones(3, body.arms.cols());
+  model.mass = Eigen::RowVectorXd::Ones(body.arms.cols());
   earlier.rigid.bodies = {body};
   body.centre = {0.0, 0.0, 2.0};
   model.rigid.bodies = {body};

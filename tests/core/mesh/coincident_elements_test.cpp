@@ -34,12 +34,17 @@ TEST_CASE("a shell on a face of a solid is no second element there, one on a she
 }
 
 TEST_CASE("elements whose nodes add up alike are no second ones", "[core][mesh]") {
-  // Nodes 0 1 2 3 and 0 1 2 3 would coincide; 0 1 4 5 and 0 2 3 5 have the same sum and smallest node.
-  MeshParts parts = MeshBuilder().add_shells({.id = 1, .cells = {2, 1, 1}}).add_shells({.id = 2}).parts();
-  parts.blocks[0].nodes = {{0}, {1}, {4}, {5}, {0}, {2}, {5}, {3}};
-  parts.blocks[1].nodes = {{1}, {2}, {3}, {4}};
+  // 0 1 4 5 and 0 2 5 3 have the same sum and smallest node.
+  MeshParts parts = MeshBuilder().add_shells({.id = 1, .cells = {2, 1}}).add_shells({.id = 2}).parts();
+  const auto nodes = [](const std::vector<std::uint32_t>& numbers) {
+    std::vector<NodeIndex> made;
+    for (const std::uint32_t number : numbers) made.push_back({number});
+    return made;
+  };
+  parts.blocks[0].nodes = nodes({0, 1, 4, 5, 0, 2, 5, 3});
+  parts.blocks[1].nodes = nodes({1, 2, 3, 4});
   CHECK_FALSE(find_coincident_elements(Mesh(parts)));
-  parts.blocks[1].nodes = {{5}, {3}, {0}, {2}};
+  parts.blocks[1].nodes = nodes({5, 3, 0, 2});
   const auto found = find_coincident_elements(Mesh(parts));
   REQUIRE(found);
   CHECK(found->n == 1);

@@ -27,7 +27,7 @@ struct TwoCubes {
     const ElementProperties properties{ElasticLaw{{160e9, 80e9}}, 7800.0};
     for (const std::uint32_t b : {0u, 1u})
       model.blocks.push_back(make_solid_block(mesh, b, hex8_mean_quadrature, properties));
-    model.mass = Eigen::Matrix3Xd::Ones(3, mesh.n_nodes());
+    model.mass = Eigen::RowVectorXd::Ones(mesh.n_nodes());
     std::vector<PrescribedMotion> motions;
     for (const Hold& hold : holds) {
       PrescribedMotion& motion = motions.emplace_back();

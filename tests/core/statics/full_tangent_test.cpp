@@ -46,7 +46,7 @@ TEST_CASE("nodes without elements have no part in the factor, held ones stay", "
   StaticCube cube({NodeIndex{0}, NodeIndex{1}, NodeIndex{2}}, 1);
   Model model = std::move(cube.model);
   model.mesh = &mesh;
-  model.mass = Eigen::Matrix3Xd::Ones(3, 9);
+  model.mass = Eigen::RowVectorXd::Ones(9);
   State state = make_state(mesh.coordinates(), model.blocks, 0.0);
   InternalForce internal(model, state);
   StaticProblem problem(model, ForceTerms{internal, cube.nothing}, nullptr, ResidualReference::internal,

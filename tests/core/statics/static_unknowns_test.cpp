@@ -13,7 +13,7 @@ namespace {
 struct TurningNodes {
   TurningNodes() {
     model.mesh = &mesh;
-    model.mass = Eigen::Matrix3Xd::Constant(3, 8, 4.0);
+    model.mass = Eigen::RowVectorXd::Constant(8, 4.0);
     model.inertia = Eigen::RowVectorXd::Constant(8, 1.0);
     model.inertia(7) = minimum_nodal_mass;
   }

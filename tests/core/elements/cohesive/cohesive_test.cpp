@@ -168,7 +168,7 @@ TEST_CASE("the stable step of a cohesive element is that of its nodes on its spr
   Model model;
   model.mesh = &joint.mesh;
   model.blocks.push_back(joint.block);
-  model.mass = Matrix3Xd::Constant(3, 8, 0.25);
+  model.mass = Eigen::RowVectorXd::Constant(8, 0.25);
   set_discrete_steps(model);
   const double stiffness =
       3.0 * 10.0 / (0.01 * 2e-3) * 2.0 / 4.0;  // of compression, on a quarter of the area
