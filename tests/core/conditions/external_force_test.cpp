@@ -195,7 +195,8 @@ TEST_CASE("a prescribed moment turns its nodes and pushes none", "[core][conditi
   ConditionDeck deck(
       mesh, condition_block("prescribed moment", "node set = edge\ncomponents = x z\nfunction = ramp"));
   const Eigen::Matrix3Xd ones = Eigen::Matrix3Xd::Ones(3, mesh.n_nodes());
-  ExternalForce external = make_external_force(deck.scope(), ones, ones);
+  const Eigen::RowVectorXd masses = ones.row(0);
+  ExternalForce external = make_external_force(deck.scope(), masses, masses);
   CHECK(deck.messages().empty());
   const Eigen::Matrix3Xd still = 0.0 * ones;
   Eigen::Matrix3Xd forces = ones, moments = ones;

@@ -55,7 +55,7 @@ struct Driven {
 Eigen::Matrix3Xd forces(const std::string& lines) {
   const StoredVariables stored = results();
   ConditionDeck deck(cube_with_values(), lines, 0.0, &stored);
-  ExternalForce force = make_external_force(deck.scope(), Eigen::Matrix3Xd::Ones(3, 8));
+  ExternalForce force = make_external_force(deck.scope(), Eigen::RowVectorXd::Ones(8));
   REQUIRE(deck.messages() == "");
   Eigen::Matrix3Xd made(3, 8);
   force.set_forces({2.0, 0.1, cube_with_values().coordinates(), cube_with_values().coordinates()}, made);
