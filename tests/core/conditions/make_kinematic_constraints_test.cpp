@@ -18,7 +18,7 @@ std::string constraint_messages(const std::string& lines) {
   const Mesh mesh = constrained_cube();
   ConditionDeck deck(mesh, lines);
   make_kinematic_constraints(deck.scope());
-  make_rotation_constraints(deck.scope(), Eigen::Matrix3Xd(3, 0));
+  make_rotation_constraints(deck.scope(), Eigen::RowVectorXd());
   return deck.messages();
 }
 
