@@ -223,13 +223,17 @@ void PressingRows::find_forces(std::uint32_t begin, std::uint32_t end, double dt
   struct LaneSums {
     Lanes changed = Lanes::Zero(), all = Lanes::Zero(), uphill = Lanes::Zero();
   } of_lanes;
+  const auto unlimited = [dt](const auto& start, const auto& opening, const auto& softness, const auto& rate,
+                              const auto& ahead) {
+    return ahead - rate * (start + dt * opening + constraint_compliance * softness * ahead);
+  };
   std::uint32_t i = begin;
   for (; i + n_lanes <= end; i += n_lanes) {
     const Lanes softness = load(&rows_.softness[i]), before = load(&rows_.force[i]),
                 ahead = load(&rows_.ahead[i]);
-    const Lanes gap =
-        load(&rows_.start[i]) + dt * load(&rows_.opening[i]) + constraint_compliance * softness * ahead;
-    const Lanes force = (ahead - load(&rows_.rate[i]) * gap).max(load(&rows_.least[i]));
+    const Lanes force =
+        unlimited(load(&rows_.start[i]), load(&rows_.opening[i]), softness, load(&rows_.rate[i]), ahead)
+            .max(load(&rows_.least[i]));
     const Lanes step = force - before, over = ahead - force;
     of_lanes.changed += over.abs();
     of_lanes.all += force.abs();
@@ -239,9 +243,9 @@ void PressingRows::find_forces(std::uint32_t begin, std::uint32_t end, double dt
   }
   sums += {of_lanes.changed.sum(), of_lanes.all.sum(), of_lanes.uphill.sum()};
   for (; i < end; ++i) {
-    const double gap =
-        rows_.start[i] + dt * rows_.opening[i] + constraint_compliance * rows_.softness[i] * rows_.ahead[i];
-    const double force = std::max(rows_.ahead[i] - rows_.rate[i] * gap, rows_.least[i]);
+    const double force = std::max(
+        unlimited(rows_.start[i], rows_.opening[i], rows_.softness[i], rows_.rate[i], rows_.ahead[i]),
+        rows_.least[i]);
     const double step = force - rows_.force[i], over = rows_.ahead[i] - force;
     sums += {std::abs(over), std::abs(force), rows_.softness[i] * over * step};
     rows_.force[i] = force;
