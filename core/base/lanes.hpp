@@ -11,8 +11,8 @@
 #include <cstring>
 
 /// Numbers of eight elements at a time, in the compiler's vectors: one register of AVX-512, two of AVX, four
-/// of SSE. Members have the names that Eigen's arrays give them. Operations of lanes are IEEE's on every
-/// processor.
+/// of SSE. Members have the names that Eigen's arrays give them. Sums, products, quotients and square roots
+/// are IEEE's on every processor; other functions are Eigen's.
 namespace contactsim {
 
 /// Element kernels and material laws work on this many elements at a time, one per lane.
@@ -41,7 +41,6 @@ class LaneMask {
   bool operator()(Eigen::Index lane) const { return lanes_[lane] != 0; }
   bool any() const { return bytes() != 0; }
   bool all() const { return bytes() == ~std::uint64_t{0}; }
-  Eigen::Index count() const { return std::popcount(bytes()) / 8; }
   /// The one where it holds, the other elsewhere.
   Lanes select(const Lanes& where_it_holds, const Lanes& elsewhere) const;
 

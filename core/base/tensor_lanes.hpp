@@ -33,7 +33,7 @@ inline constexpr std::size_t symmetric_place[3][3] = {{0, 3, 5}, {3, 1, 4}, {5, 
 
 inline Lanes trace(const SymmetricLanes& a) { return a[0] + a[1] + a[2]; }
 
-/// The double contraction a : b, the off-diagonal components counted twice.
+/// The double contraction a : b, with the off-diagonal components twice.
 inline Lanes contract(const SymmetricLanes& a, const SymmetricLanes& b) {
   return a[0] * b[0] + a[1] * b[1] + a[2] * b[2] + 2.0 * (a[3] * b[3] + a[4] * b[4] + a[5] * b[5]);
 }
