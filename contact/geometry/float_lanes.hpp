@@ -8,47 +8,37 @@
 #include <cstdint>
 #include <cstring>
 
+#include "contact/geometry/lane_vector.hpp"
+
 namespace contactsim {
 
 /// Candidates are culled this many at a time, in single precision, one per lane.
 inline constexpr std::size_t n_float_lanes = 16;
-using FloatLanes [[gnu::vector_size(n_float_lanes * sizeof(float))]] = float;
-/// What comparisons of lanes give: all bits of a lane, or none.
-using TruthLanes [[gnu::vector_size(n_float_lanes * sizeof(float))]] = std::int32_t;
+
+/// One single precision number of each lane.
+class FloatLanes : public LaneArithmetic<FloatLanes, float> {
+ public:
+  FloatLanes() = default;
+  FloatLanes(float a) : LaneArithmetic(a) {}
+  FloatLanes(const Registers& lanes) : LaneArithmetic(lanes) {}
+  explicit FloatLanes(const Numbers& numbers) : LaneArithmetic(std::bit_cast<Registers>(numbers)) {}
+  FloatLanes& operator+=(const FloatLanes& b) { return *this = *this + b; }
+  float operator[](std::size_t lane) const { return std::bit_cast<Numbers>(lanes_)[lane]; }
+};
+using FloatMask = FloatLanes::Mask;
 
 /// Four numbers that are worked on at once.
 using FourFloats [[gnu::vector_size(16)]] = float;
 
-inline FloatLanes above_zero(const FloatLanes& a) { return a > 0.0f ? a : FloatLanes{}; }
-inline FloatLanes largest(const FloatLanes& a, const FloatLanes& b) { return a > b ? a : b; }
-inline FloatLanes magnitude(const FloatLanes& a) { return a < 0.0f ? -a : a; }
+inline FloatLanes above_zero(const FloatLanes& a) { return (a > 0.0f).select(a, FloatLanes(0.0f)); }
+inline FloatLanes largest(const FloatLanes& a, const FloatLanes& b) { return (a > b).select(a, b); }
+inline FloatLanes magnitude(const FloatLanes& a) { return (a < 0.0f).select(-a, a); }
 
 /// A vector in each lane.
-struct VectorLanes {
-  FloatLanes x, y, z;
+using VectorLanes = LaneVector<FloatLanes>;
 
-  VectorLanes operator-(const VectorLanes& other) const { return {x - other.x, y - other.y, z - other.z}; }
-  FloatLanes dot(const VectorLanes& other) const { return x * other.x + y * other.y + z * other.z; }
-  VectorLanes cross(const VectorLanes& other) const {
-    return {y * other.z - z * other.y, z * other.x - x * other.z, x * other.y - y * other.x};
-  }
-  /// Sum of the magnitudes of the components, no less than the length.
-  FloatLanes taxicab() const { return magnitude(x) + magnitude(y) + magnitude(z); }
-  /// The same one in all lanes.
-  static VectorLanes all(const Eigen::Vector3f& v) {
-    return {FloatLanes{} + v[0], FloatLanes{} + v[1], FloatLanes{} + v[2]};
-  }
-};
-
-/// The lanes, as bits, of which something is true.
-inline std::uint32_t bits_of(const TruthLanes& truth) {
-  std::array<std::int32_t, n_float_lanes> of_lanes;
-  std::memcpy(of_lanes.data(), &truth, sizeof truth);
-  std::uint32_t bits = 0;
-  for (std::size_t lane = 0; lane < n_float_lanes; ++lane)
-    bits |= static_cast<std::uint32_t>(of_lanes[lane]) & 1u << lane;
-  return bits;
-}
+/// Sum of the magnitudes of the components, no less than the length.
+inline FloatLanes taxicab(const VectorLanes& v) { return magnitude(v.x) + magnitude(v.y) + magnitude(v.z); }
 
 /// The first of the lanes that are set as bits, of some.
 inline std::size_t first_lane(std::uint32_t bits) { return static_cast<std::size_t>(std::countr_zero(bits)); }
@@ -75,11 +65,7 @@ class RecordLanes {
       for (std::size_t i = 0; i < n_numbers; ++i) set_four(i, lane, FourFloats{});
     }
   }
-  FloatLanes operator[](std::size_t number) const {
-    FloatLanes lanes;
-    std::memcpy(&lanes, numbers_[number].data(), sizeof lanes);
-    return lanes;
-  }
+  FloatLanes operator[](std::size_t number) const { return FloatLanes(numbers_[number]); }
   VectorLanes vector(std::size_t first) const {
     return {(*this)[first], (*this)[first + 1], (*this)[first + 2]};
   }

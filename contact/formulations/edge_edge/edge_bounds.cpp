@@ -57,23 +57,21 @@ std::uint32_t EdgeBounds::may_touch(const Pairs& pairs, double ahead, double off
   const FloatLanes s = apart.cross(b).dot(normal), t = apart.cross(a).dot(normal);
   // With a size L the places along the edges are wrong by |n| |p| (e + L r) where positions are by e, and the
   // height of one edge over the other by e + L r.
-  const FloatLanes error = positions_.rounding() + 2e-5f * (apart.taxicab() + length_a + length_b);
+  const FloatLanes error = positions_.rounding() + 2e-5f * (taxicab(apart) + length_a + length_b);
   const FloatLanes slack = lengths * error;
   const FloatLanes slack_a = slack * length_a, slack_b = slack * length_b;
   const FloatLanes below = -beside * square, above = (1.0f + beside) * square;
   // Along the normal of both, whose length is the sine of their angle once the edges have a length of 1.
   const FloatLanes sine_squared_now = square / (lengths * lengths);
   const FloatLanes height = magnitude(apart.dot(normal)) / lengths - error;
-  const FloatLanes speed =
-      (of_second.vector(8) - of_first.vector(8)).taxicab() + of_first[11] + of_second[11];
+  const FloatLanes speed = taxicab(of_second.vector(8) - of_first.vector(8)) + of_first[11] + of_second[11];
   const FloatLanes reach =
       of_first[7] + static_cast<float>(offset) + speed * static_cast<float>(ahead * about_one) + error;
   // Comparisons with what is not a number are false.
-  const TruthLanes is_far =
-      (height > 0.0f) & (height * height > reach * reach * sine_squared_now * about_one);
-  const TruthLanes beside_each_other = (square <= sine_squared * lengths * lengths) | (s < below - slack_b) |
-                                       (s > above + slack_b) | (t < below - slack_a) | (t > above + slack_a);
-  return ~bits_of(is_far | beside_each_other) & ((1u << pairs.n) - 1);
+  const FloatMask is_far = height > 0.0f && height * height > reach * reach * sine_squared_now * about_one;
+  const FloatMask beside_each_other = square <= sine_squared * lengths * lengths || s < below - slack_b ||
+                                      s > above + slack_b || t < below - slack_a || t > above + slack_a;
+  return ~(is_far || beside_each_other).bits() & ((1u << pairs.n) - 1);
 }
 
 }  // namespace contactsim

@@ -47,7 +47,7 @@ struct FacePairBounds::BoundLanes {
         normal(of.vector(4)),
         velocity(of.vector(7)),
         half{of.vector(10), of.vector(13)},
-        length{half[0].taxicab(), half[1].taxicab()},
+        length{taxicab(half[0]), taxicab(half[1])},
         size(length[0] + length[1] + warp) {}
   /// How far the parallelogram reaches along a direction.
   FloatLanes reach_along(const VectorLanes& direction) const {
@@ -63,23 +63,23 @@ std::uint32_t FacePairBounds::may_touch(const Pairs& pairs, double ahead, double
       pairs.n, [&](std::size_t lane) -> const auto& { return bounds_[pairs.second[lane]]; });
   const BoundLanes a(of_first), b(of_second);
   const VectorLanes velocity = b.velocity - a.velocity, apart = a.centre - b.centre;
-  const FloatLanes error = positions_.rounding() + lost_share * (a.size + b.size + apart.taxicab());
-  const FloatLanes closing = above_zero(velocity.dot(b.normal)) + lost_share * velocity.taxicab();
+  const FloatLanes error = positions_.rounding() + lost_share * (a.size + b.size + taxicab(apart));
+  const FloatLanes closing = above_zero(velocity.dot(b.normal)) + lost_share * taxicab(velocity);
   const FloatLanes height = apart.dot(b.normal), warp = a.warp + b.warp;
   const FloatLanes activation_distance = closing * static_cast<float>(ahead) + static_cast<float>(reach);
-  TruthLanes is_out =
-      (a.normal.dot(b.normal) > static_cast<float>(max_facing_cosine_of_blade) + lost_share) |
+  FloatMask is_out =
+      a.normal.dot(b.normal) > static_cast<float>(max_facing_cosine_of_blade) + lost_share ||
       (height > activation_distance * (1.0f + lost_share) + a.reach_along(b.normal) + warp + error);
   // Seen along the common normal instead of the second face's, points move by this much.
   const VectorLanes tilt{a.normal.x + b.normal.x, a.normal.y + b.normal.y, a.normal.z + b.normal.z};
-  const FloatLanes slack = warp + tilt.taxicab() * (magnitude(height) + 0.25f * (a.size + b.size)) + error;
+  const FloatLanes slack = warp + taxicab(tilt) * (magnitude(height) + 0.25f * (a.size + b.size)) + error;
   for (std::size_t i = 0; i < 2; ++i) {
-    is_out |= magnitude(apart.dot(b.half[i])) >
-              a.reach_along(b.half[i]) + b.reach_along(b.half[i]) + slack * b.length[i];
-    is_out |= magnitude(apart.dot(a.half[i])) >
-              a.reach_along(a.half[i]) + b.reach_along(a.half[i]) + slack * a.length[i];
+    is_out = is_out || magnitude(apart.dot(b.half[i])) >
+                           a.reach_along(b.half[i]) + b.reach_along(b.half[i]) + slack * b.length[i];
+    is_out = is_out || magnitude(apart.dot(a.half[i])) >
+                           a.reach_along(a.half[i]) + b.reach_along(a.half[i]) + slack * a.length[i];
   }
-  return ~bits_of(is_out) & pairs.all();
+  return ~is_out.bits() & pairs.all();
 }
 
 }  // namespace contactsim

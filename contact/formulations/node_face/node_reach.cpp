@@ -91,32 +91,32 @@ std::uint32_t NodeReach::find(const ReachBounds& bounds, Faces& faces) const {
   const auto offset = static_cast<float>(offset_);
   const FloatLanes rough = warp + rounding_ + rounding_share * (radius + magnitude(height));
   // Before the first step faces in front of the node count too: it is not inside what it stands in front of.
-  FloatLanes near = largest(soonest * ahead_, FloatLanes{} + before_);
+  FloatLanes near = largest(soonest * ahead_, FloatLanes(before_));
   if (dt_ == 0.0f) near = largest(near, radius);
   faces.above_ = near + (std::max(0.0f, offset) + radius_ + rounding_);
-  faces.below_ = FloatLanes{} + std::numeric_limits<float>::max();
+  faces.below_ = std::numeric_limits<float>::max();
   if (!is_known_) {
-    const FloatLanes tolerance = normal_tolerance_ ? FloatLanes{} + *normal_tolerance_ : thickness;
+    const FloatLanes tolerance = normal_tolerance_ ? FloatLanes(*normal_tolerance_) : thickness;
     faces.below_ = largest(tolerance, more * dt_ * above_zero(mean));
     if (comes_from_outside_) {
-      const FloatLanes deepest = more * (largest(FloatLanes{} + shallow_, flush) + soonest * dt_);
-      const TruthLanes is_flat = (warp <= nearly_flat * radius) & (lean == 0.0f);
-      const TruthLanes is_less = is_flat & (deepest < faces.below_);
-      faces.below_ = is_less ? deepest : faces.below_;
+      const FloatLanes deepest = more * (largest(shallow_, flush) + soonest * dt_);
+      const FloatMask is_flat = warp <= nearly_flat * radius && lean == 0.0f;
+      const FloatMask is_less = is_flat && deepest < faces.below_;
+      faces.below_ = is_less.select(deepest, faces.below_);
     }
     faces.below_ += std::max(0.0f, -offset) + rounding_;
   }
-  const FloatLanes allowed = tangential_tolerance_ ? FloatLanes{} + *tangential_tolerance_
+  const FloatLanes allowed = tangential_tolerance_ ? FloatLanes(*tangential_tolerance_)
                                                    : static_cast<float>(automatic_beyond) * radius;
   // Behind the edge of a hollow a node may stand as far beyond it as it is deep.
   faces.beyond_ = allowed + above_zero(warp - height) + (radius_ + rounding_);
-  TruthLanes is_out = (height > faces.above_ + rough) | (height < -faces.below_ - rough);
+  FloatMask is_out = height > faces.above_ + rough || height < -faces.below_ - rough;
   if (!goes_anywhere_) {
     const FloatLanes turned = 2.0f * warp / radius + lean;
     const FloatLanes reach = radius + rough + faces.beyond_ + turned * magnitude(height);
-    is_out |= away.dot(away) - height * height > reach * reach * (1.0f + rounding_share);
+    is_out = is_out || away.dot(away) - height * height > reach * reach * (1.0f + rounding_share);
   }
-  return ~bits_of(is_out) & ((1u << faces.n_) - 1);
+  return ~is_out.bits() & ((1u << faces.n_) - 1);
 }
 
 bool must_come_from_outside(const ContactStepContext& context, const PairRule& rule) {

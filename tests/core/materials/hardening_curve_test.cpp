@@ -37,7 +37,7 @@ std::string error_of(const Points& points) {
 
 TEST_CASE("a curve runs through its points and stays at the last", "[core][materials]") {
   const HardeningCurve curve = curve_of({{0.0, 200.0}, {0.1, 250.0}, {0.3, 260.0}});
-  const Lanes strain(Lanes::Vector{0.0, 0.05, 0.1, 0.2, 0.3, 0.4, 1e9, 0.1});
+  const Lanes strain(Lanes::Numbers{0.0, 0.05, 0.1, 0.2, 0.3, 0.4, 1e9, 0.1});
   const HardeningCurve::Place place = curve.at(strain);
   const double stress[] = {200.0, 225.0, 250.0, 255.0, 260.0, 260.0, 260.0, 250.0};
   const double slope[] = {500.0, 500.0, 50.0, 50.0, 0.0, 0.0, 0.0, 50.0};
@@ -52,8 +52,8 @@ TEST_CASE("a curve runs through its points and stays at the last", "[core][mater
 
 TEST_CASE("lanes climb a curve each as far as it may", "[core][materials]") {
   const HardeningCurve curve = curve_of({{0.0, 200.0}, {0.1, 250.0}, {0.3, 260.0}});
-  const Lanes strain(Lanes::Vector{0.0, 0.0, 0.0, 0.15, 0.15, 0.35, 0.02, 0.1});
-  const Lanes limit(Lanes::Vector{0.05, 0.1, 9.0, 0.2, 9.0, 9.0, 0.3, 0.1});
+  const Lanes strain(Lanes::Numbers{0.0, 0.0, 0.0, 0.15, 0.15, 0.35, 0.02, 0.1});
+  const Lanes limit(Lanes::Numbers{0.05, 0.1, 9.0, 0.2, 9.0, 9.0, 0.3, 0.1});
   const auto place = curve.climb(curve.at(strain), [&](const HardeningCurve::Point& point) -> LaneMask {
     return point.strain <= limit;
   });

@@ -1,0 +1,197 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <array>
+#include <bit>
+#include <cstddef>
+#include <cstdint>
+#include <type_traits>
+
+/// Numbers in the compiler's vectors, as many as 64 bytes hold: one register of AVX-512, two of AVX, four of
+/// SSE.
+namespace contactsim {
+
+/// The widest vectors that the processor computes with [bytes]. GCC takes wider ones number by number where
+/// it compares or chooses.
+#if defined(__AVX512F__)
+inline constexpr std::size_t register_bytes = 64;
+#elif defined(__AVX__)
+inline constexpr std::size_t register_bytes = 32;
+#else
+inline constexpr std::size_t register_bytes = 16;
+#endif
+
+template <class Number>
+struct RegisterOf {
+  using Type [[gnu::vector_size(register_bytes)]] = Number;
+};
+
+/// 64 bytes of numbers, and what a function makes of each of their registers, or of those in the same place
+/// of several.
+#ifdef __AVX512F__
+template <class Number>
+using LaneRegisters = typename RegisterOf<Number>::Type;
+
+template <class Made, class Function, class... Registers>
+Made map_registers(const Function& f, const Registers&... of) {
+  return f(of...);
+}
+#else
+template <class Number>
+struct LaneRegisters {
+  static constexpr std::size_t n = 64 / register_bytes;
+  typename RegisterOf<Number>::Type all[n];
+};
+
+template <class Made, class Function, class... Registers>
+Made map_registers(const Function& f, const Registers&... of) {
+  Made made;
+  for (std::size_t k = 0; k < Made::n; ++k) made.all[k] = f(of.all[k]...);
+  return made;
+}
+#endif
+
+/// Which of some Lanes something holds for.
+///   Bits  an integer as large as their numbers: all of its bits, or none
+template <class Lanes, class Bits>
+class MaskLanes {
+ public:
+  using Registers = LaneRegisters<Bits>;
+  static constexpr std::size_t width = 64 / sizeof(Bits);
+
+  MaskLanes() = default;
+  MaskLanes(const Registers& lanes) : lanes_(lanes) {}
+  explicit MaskLanes(bool holds)
+      : lanes_(map([&](const auto& none) { return none - (holds ? 1 : 0); }, Registers{})) {}
+  /// From the lowest bits, one of each lane.
+  static MaskLanes of_bits(unsigned bits) {
+    static constexpr auto places = [] {
+      std::array<Bits, width> of_lanes{};
+      for (std::size_t lane = 0; lane < width; ++lane) of_lanes[lane] = Bits{1} << lane;
+      return of_lanes;
+    }();
+    return map([&](const auto& place) { return ((place - place + static_cast<Bits>(bits)) & place) != 0; },
+               std::bit_cast<Registers>(places));
+  }
+
+  friend MaskLanes operator&&(const MaskLanes& a, const MaskLanes& b) {
+    return map([](const auto& x, const auto& y) { return x & y; }, a.lanes_, b.lanes_);
+  }
+  friend MaskLanes operator||(const MaskLanes& a, const MaskLanes& b) {
+    return map([](const auto& x, const auto& y) { return x | y; }, a.lanes_, b.lanes_);
+  }
+  friend MaskLanes operator!(const MaskLanes& a) {
+    return map([](const auto& x) { return ~x; }, a.lanes_);
+  }
+  bool operator()(std::ptrdiff_t lane) const { return numbers()[static_cast<std::size_t>(lane)] != 0; }
+  bool any() const {
+#ifdef __AVX512F__
+    if constexpr (sizeof(Bits) == 8) {
+      using Bytes [[gnu::vector_size(8)]] = std::int8_t;
+      return std::bit_cast<std::uint64_t>(__builtin_convertvector(lanes_, Bytes)) != 0;
+    }
+    return bits() != 0;
+#else
+    auto either = lanes_.all[0];
+    for (std::size_t k = 1; k < Registers::n; ++k) either |= lanes_.all[k];
+    Bits any = 0;
+    for (std::size_t k = 0; k < register_bytes / sizeof(Bits); ++k) any |= either[k];
+    return any != 0;
+#endif
+  }
+  bool all() const { return !(!*this).any(); }
+  /// The lanes as bits, the lowest for the first.
+  std::uint32_t bits() const {
+    std::uint32_t bits = 0;
+    const auto of_lanes = numbers();
+    for (std::size_t lane = 0; lane < width; ++lane)
+      bits |= static_cast<std::uint32_t>(of_lanes[lane]) & std::uint32_t{1} << lane;
+    return bits;
+  }
+  /// The one where it holds, the other elsewhere.
+  Lanes select(const Lanes& where_it_holds, const Lanes& elsewhere) const {
+    const auto choose = [](const auto& holds, const auto& x, const auto& y) { return holds ? x : y; };
+    return map_registers<typename Lanes::Registers>(choose, lanes_, where_it_holds.registers(),
+                                                    elsewhere.registers());
+  }
+
+ private:
+  std::array<Bits, width> numbers() const { return std::bit_cast<std::array<Bits, width>>(lanes_); }
+  template <class Function>
+  static Registers map(const Function& f, const auto&... of) {
+    return map_registers<Registers>(f, of...);
+  }
+
+  Registers lanes_;
+};
+
+/// What all kinds of lanes compute alike. Sums, products and quotients are IEEE's on every processor.
+template <class Lanes, class Number>
+class LaneArithmetic {
+ public:
+  using Registers = LaneRegisters<Number>;
+  using Mask = MaskLanes<Lanes, std::conditional_t<sizeof(Number) == 8, std::int64_t, std::int32_t>>;
+  using Numbers = std::array<Number, 64 / sizeof(Number)>;
+
+  LaneArithmetic() = default;
+  LaneArithmetic(Number a)
+      : lanes_(map_registers<Registers>([&](const auto& zero) { return a - zero; }, Registers{})) {}
+  LaneArithmetic(const Registers& lanes) : lanes_(lanes) {}
+
+  friend Lanes operator+(const Lanes& a, const Lanes& b) {
+    return map([](const auto& x, const auto& y) { return x + y; }, a, b);
+  }
+  friend Lanes operator-(const Lanes& a, const Lanes& b) {
+    return map([](const auto& x, const auto& y) { return x - y; }, a, b);
+  }
+  friend Lanes operator*(const Lanes& a, const Lanes& b) {
+    return map([](const auto& x, const auto& y) { return x * y; }, a, b);
+  }
+  friend Lanes operator/(const Lanes& a, const Lanes& b) {
+    return map([](const auto& x, const auto& y) { return x / y; }, a, b);
+  }
+  friend Lanes operator-(const Lanes& a) {
+    return map([](const auto& x) { return -x; }, a);
+  }
+  friend Mask operator<(const Lanes& a, const Lanes& b) {
+    return compare([](const auto& x, const auto& y) { return x < y; }, a, b);
+  }
+  friend Mask operator>(const Lanes& a, const Lanes& b) {
+    return compare([](const auto& x, const auto& y) { return x > y; }, a, b);
+  }
+  friend Mask operator<=(const Lanes& a, const Lanes& b) {
+    return compare([](const auto& x, const auto& y) { return x <= y; }, a, b);
+  }
+  friend Mask operator>=(const Lanes& a, const Lanes& b) {
+    return compare([](const auto& x, const auto& y) { return x >= y; }, a, b);
+  }
+  friend Mask operator==(const Lanes& a, const Lanes& b) {
+    return compare([](const auto& x, const auto& y) { return x == y; }, a, b);
+  }
+  friend Mask operator!=(const Lanes& a, const Lanes& b) {
+    return compare([](const auto& x, const auto& y) { return x != y; }, a, b);
+  }
+
+  /// As std::min and std::max: this one where neither is less.
+  Lanes min(const Lanes& b) const {
+    return map([](const auto& x, const auto& y) { return y < x ? y : x; }, *this, b);
+  }
+  Lanes max(const Lanes& b) const {
+    return map([](const auto& x, const auto& y) { return x < y ? y : x; }, *this, b);
+  }
+  const Registers& registers() const { return lanes_; }
+
+ protected:
+  template <class Function, class... Of>
+  static Lanes map(const Function& f, const Of&... of) {
+    return map_registers<Registers>(f, of.registers()...);
+  }
+  template <class Function>
+  static Mask compare(const Function& f, const Lanes& a, const Lanes& b) {
+    return map_registers<typename Mask::Registers>(f, a.registers(), b.registers());
+  }
+
+  alignas(64) Registers lanes_;
+};
+
+}  // namespace contactsim
