@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "contact/geometry/common_plane.hpp"
 
-#include <algorithm>
-#include <cmath>
-
 #include "contact/geometry/smooth_step.hpp"
 
 namespace contactsim {
@@ -18,38 +15,47 @@ constexpr double next_to_smooth = 0.1;
 
 }  // namespace
 
-std::array<double, 2> shares_of_normals(double cosine, double sharpness_1, double sharpness_2) {
-  if (cosine >= no_lean) return {1.0, 1.0};
-  const double lean = smooth_step(std::clamp((no_lean - cosine) / (no_lean - full_lean), 0.0, 1.0));
-  const double sharper_1 = (sharpness_1 - sharpness_2) / (sharpness_1 + sharpness_2 + next_to_smooth);
-  return {1.0 - lean * std::max(sharper_1, 0.0), 1.0 - lean * std::max(-sharper_1, 0.0)};
+std::array<Lanes, 2> shares_of_normals(const Lanes& cosine, const Lanes& sharpness_1,
+                                       const Lanes& sharpness_2) {
+  const LaneMask leans = cosine < no_lean;
+  if (!leans.any()) return {1.0, 1.0};
+  const Lanes lean = smooth_step<Lanes>(((no_lean - cosine) / (no_lean - full_lean)).max(0.0).min(1.0));
+  const Lanes sharper_1 = (sharpness_1 - sharpness_2) / (sharpness_1 + sharpness_2 + next_to_smooth);
+  return {1.0 - lean * sharper_1.max(0.0), 1.0 - lean * (-sharper_1).max(0.0)};
+}
+
+CommonPlanes make_common_planes(const CornersOfFaces& first, const FaceOrientations& look_1,
+                                const FaceOrientations& look_2) {
+  const DoubleVectors &area_1 = look_1.area, &area_2 = look_2.area;
+  const Lanes size_1 = area_1.dot(area_1).sqrt(), size_2 = area_2.dot(area_2).sqrt();
+  const Lanes opposed = -area_1.dot(area_2), size = size_1 * size_2;
+  CommonPlanes planes;
+  planes.exist = opposed > -facing_limit(look_1.sharpness.max(look_2.sharpness)) * size;
+  const auto shares = shares_of_normals(opposed / size, look_1.sharpness, look_2.sharpness);
+  planes.normal = normalized(shares[1] * size_1 * area_2 - shares[0] * size_2 * area_1);
+  planes.spread = (-size_1 / area_1.dot(planes.normal)).max(size_2 / area_2.dot(planes.normal));
+  planes.origin = first[0];
+  // In the plane any direction will do; one that turns with the faces makes results turn with them.
+  const DoubleVectors diagonal = first[2] - first[0];
+  planes.across = normalized(diagonal - planes.normal.dot(diagonal) * planes.normal);
+  planes.along = planes.normal.cross(planes.across);
+  return planes;
+}
+
+CommonPlane CommonPlanes::of(Eigen::Index lane) const {
+  return {vector_in(normal, lane), vector_in(across, lane), vector_in(along, lane), vector_in(origin, lane),
+          spread(lane)};
 }
 
 std::optional<CommonPlane> make_common_plane(const FaceCorners& first, const FaceOrientation& look_1,
                                              const FaceOrientation& look_2) {
-  const double size_1 = look_1.area.norm(), size_2 = look_2.area.norm();
-  const double opposed = -look_1.area.dot(look_2.area), size = size_1 * size_2;
-  const double facing = facing_limit(std::max(look_1.sharpness, look_2.sharpness));
-  if (!(opposed > -facing * size)) return std::nullopt;
-  const auto shares = shares_of_normals(opposed / size, look_1.sharpness, look_2.sharpness);
-  CommonPlane plane;
-  plane.normal = (shares[1] * size_1 * look_2.area - shares[0] * size_2 * look_1.area).normalized();
-  plane.spread = std::max(-size_1 / look_1.area.dot(plane.normal), size_2 / look_2.area.dot(plane.normal));
-  plane.origin = first.col(0);
-  // In the plane any direction will do; one that turns with the faces makes results turn with them.
-  const Eigen::Vector3d diagonal = first.col(2) - first.col(0);
-  plane.across = (diagonal - plane.normal.dot(diagonal) * plane.normal).normalized();
-  plane.along = plane.normal.cross(plane.across);
-  return plane;
-}
-
-FaceCorners project(const FaceCorners& face, const CommonPlane& plane) {
-  const FaceCorners moved = face.colwise() - plane.origin;
-  FaceCorners projected;
-  projected.row(0) = plane.across.transpose() * moved;
-  projected.row(1) = plane.along.transpose() * moved;
-  projected.row(2) = plane.normal.transpose() * moved;
-  return projected;
+  CornersOfFaces corners;
+  for (std::size_t k = 0; k < 4; ++k)
+    corners[k] = DoubleVectors::all(first.col(static_cast<Eigen::Index>(k)));
+  const auto planes = make_common_planes(corners, {DoubleVectors::all(look_1.area), look_1.sharpness},
+                                         {DoubleVectors::all(look_2.area), look_2.sharpness});
+  if (!planes.exist(0)) return std::nullopt;
+  return planes.of(0);
 }
 
 }  // namespace contactsim

@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "contact/geometry/face_map.hpp"
+#include "contact/geometry/lane_vector.hpp"
 
 namespace contactsim {
 
@@ -18,6 +19,9 @@ inline constexpr double max_facing_cosine_of_blade = -0.05, blade_sharpness = 14
 /// The cosine of two normals up to which a face of such a sharpness faces another.
 inline double facing_limit(double sharpness) {
   return sharpness > blade_sharpness ? max_facing_cosine_of_blade : max_facing_cosine;
+}
+inline Lanes facing_limit(const Lanes& sharpness) {
+  return (sharpness > blade_sharpness).select(max_facing_cosine_of_blade, max_facing_cosine);
 }
 
 /// Which way a face looks, and what is around it.
@@ -47,11 +51,28 @@ struct CommonPlane {
 std::optional<CommonPlane> make_common_plane(const FaceCorners& first, const FaceOrientation& look_1,
                                              const FaceOrientation& look_2);
 
+/// The common planes of eight pairs of faces, see CommonPlane.
+struct CommonPlanes {
+  DoubleVectors normal, across, along, origin;
+  Lanes spread;
+  LaneMask exist;  ///< whether the faces face each other; the rest means nothing elsewhere
+
+  CommonPlane of(Eigen::Index lane) const;
+};
+
+/// See FaceOrientation.
+struct FaceOrientations {
+  DoubleVectors area;
+  Lanes sharpness;
+};
+
+/// The same of eight pairs of faces.
+CommonPlanes make_common_planes(const CornersOfFaces& first, const FaceOrientations& look_1,
+                                const FaceOrientations& look_2);
+
 /// What the normals of two faces count for in the common one.
 ///   cosine  of the angle that the faces lean by
-std::array<double, 2> shares_of_normals(double cosine, double sharpness_1, double sharpness_2);
-
-/// A face in the coordinates of a common plane: rows across, along, normal [length].
-FaceCorners project(const FaceCorners& face, const CommonPlane& plane);
+std::array<Lanes, 2> shares_of_normals(const Lanes& cosine, const Lanes& sharpness_1,
+                                       const Lanes& sharpness_2);
 
 }  // namespace contactsim

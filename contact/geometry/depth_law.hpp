@@ -17,18 +17,27 @@ namespace contactsim {
 /// step can bear at touch lets whatever presses or hits hard enough pass through a wall or an element.
 /// Source: nonlinear (exponential, piecewise linear) pressure-overclosure of Abaqus; Wriggers, Computational
 /// Contact Mechanics (2006), 5.1, for constitutive interface laws.
-class DepthLaw {
+///   Number  double, or Lanes for laws of eight pairs
+template <class Number>
+class DepthLawOf {
  public:
   /// A spring at all depths.
-  DepthLaw() = default;
+  DepthLawOf() = default;
   ///   begin, end  d0 < d1 [length]
   ///   stiffest    slope from d1 on, >= 1 [1]
-  DepthLaw(double begin, double end, double stiffest)
+  DepthLawOf(double begin, double end, double stiffest)
       : begin_(begin), width_(end - begin), growth_((stiffest - 1.0) / width_) {}
 
+  /// Takes a law over to a lane.
+  void set(Eigen::Index lane, const DepthLawOf<double>& law) {
+    begin_(lane) = law.begin_;
+    width_(lane) = law.width_;
+    growth_(lane) = law.growth_;
+  }
+
   /// The law that is a spring for so much longer, >= 0 [length].
-  DepthLaw behind(double depth) const {
-    DepthLaw law = *this;
+  DepthLawOf behind(double depth) const {
+    DepthLawOf law = *this;
     law.begin_ += depth;
     return law;
   }
@@ -49,6 +58,8 @@ class DepthLaw {
   double slope(double depth) const { return 1.0 + growth_ * std::clamp(depth - begin_, 0.0, width_); }
 
  private:
+  template <class>
+  friend class DepthLawOf;
   /// e and what is deeper than d1.
   std::array<Lanes, 2> parts(const Lanes& depth) const {
     return {(depth - begin_).max(0.0).min(width_), (depth - begin_ - width_).max(0.0)};
@@ -57,9 +68,12 @@ class DepthLaw {
     return {std::clamp(depth - begin_, 0.0, width_), std::max(depth - begin_ - width_, 0.0)};
   }
 
-  double begin_ = std::numeric_limits<double>::infinity();  // d0 [length]
-  double width_ = 0.0;                                      // d1 - d0 [length]
-  double growth_ = 0.0;                                     // s [1/length]
+  Number begin_ = std::numeric_limits<double>::infinity();  // d0 [length]
+  Number width_ = 0.0;                                      // d1 - d0 [length]
+  Number growth_ = 0.0;                                     // s [1/length]
 };
+
+using DepthLaw = DepthLawOf<double>;
+using DepthLaws = DepthLawOf<Lanes>;
 
 }  // namespace contactsim

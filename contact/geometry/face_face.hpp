@@ -2,10 +2,14 @@
 #pragma once
 
 #include <cmath>
+#include <optional>
+#include <span>
+#include <vector>
 
 #include "contact/geometry/common_plane.hpp"
 #include "contact/geometry/depth_law.hpp"
 #include "contact/geometry/face_overlap.hpp"
+#include "contact/geometry/moving_face.hpp"
 
 namespace contactsim {
 
@@ -31,20 +35,6 @@ struct PairPenalty {
   double pressure_at(double at_depth) const;
   /// Damping by the slope of the pressure at a depth, over that by the stiffness [1].
   double damping_factor(double at_depth) const;
-};
-
-/// A face as it moves.
-struct MovingFace {
-  FaceCorners x;  ///< [length]
-  FaceCorners v;  ///< [length/time]
-  bool is_triangle = false;
-  double sharpness = 0.0;  ///< see FaceOrientation [degrees]
-
-  FaceOrientation look() const { return {area_vector(x), sharpness}; }
-  /// Unit, out of the element [1].
-  Eigen::Vector3d normal() const { return area_vector(x).normalized(); }
-  /// The velocity of a point of the face by the weights of the corners there [length/time].
-  Eigen::Vector3d velocity_at(const Eigen::Vector4d& weights) const { return v * weights; }
 };
 
 /// How two faces push each other.
@@ -75,10 +65,24 @@ struct FaceFaceContact {
 FaceFaceContact find_face_face_contact(const MovingFace& first, const MovingFace& second,
                                        const PairPenalty& penalty, double activation_distance);
 
-/// Whether two faces face each other, and no part of both lies on the other side of where the gap closes
-/// than the rest, or beyond the activation distance.
-bool is_contact_uncut(const MovingFace& first, const MovingFace& second, const PairPenalty& penalty,
-                      double activation_distance);
+/// Two faces that a penalty may part.
+struct PushedFaces {
+  const MovingFace &first, &second;
+  const PairPenalty& penalty;
+  double activation_distance;  ///< gaps up to it count as near [length]
+  double flat;                 ///< warp up to which a quadrilateral counts as flat [length]
+};
+
+/// A contact of one of several pairs, by its number.
+struct PushedContact {
+  std::size_t pair;
+  FaceFaceContact contact;
+};
+
+/// Appends the contacts of up to eight pairs that overlap, pair by pair. Warped quadrilaterals are taken as
+/// their Facets where some part of both lies on the other side of where the gap closes than the rest, or
+/// beyond the activation distance.
+void find_face_face_contacts(std::span<const PushedFaces> pairs, std::vector<PushedContact>& contacts);
 
 /// The plane and the points of two faces as they are now, for ties.
 struct FaceFacePoints {

@@ -51,6 +51,17 @@ struct FaceFaceConstraints {
 FaceFaceConstraints find_face_face_constraints(const MovingFace& first, const MovingFace& second,
                                                const ConstraintActivation& activation);
 
+/// Two faces that a constraint may part.
+struct ConstrainedFaces {
+  const MovingFace &first, &second;
+  ConstraintActivation activation;
+};
+
+/// Finds those of up to eight pairs that have the same time ahead.
+///   found  of as many pairs
+void find_face_face_constraints(std::span<const ConstrainedFaces> pairs,
+                                std::span<FaceFaceConstraints> found);
+
 /// The shares of the corners of one face in all of its overlap with another, whatever the gap: areas, weights
 /// and mean gaps by their shape functions. Warped quadrilaterals are bilinear.
 struct CornerShares {

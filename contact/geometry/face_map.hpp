@@ -6,6 +6,7 @@
 #include <array>
 #include <cstddef>
 
+#include "contact/geometry/lane_vector.hpp"
 #include "core/base/lanes.hpp"
 #include "core/mesh/face_geometry.hpp"
 
@@ -45,6 +46,36 @@ inline FaceMap make_face_map(const FaceCorners& x, bool is_triangle) {
   return map;
 }
 
+/// What eight faces have at their corners, as functions on them; see FaceMap.
+///   Value  DoubleVectors or Lanes
+template <class Value>
+std::array<Value, 4> make_functions(const std::array<Value, 4>& f, const LaneMask& are_triangles) {
+  const Lanes quarter = 0.25;
+  const Value a = f[0] + f[2], b = f[1] + f[3], p = f[2] - f[0], q = f[1] - f[3];
+  std::array<Value, 4> c{quarter * (a + b), quarter * (p + q), quarter * (p - q), quarter * (a - b)};
+  if (!are_triangles.any()) return c;
+  const std::array<Value, 4> of_triangles{f[0], f[1] - f[0], p, Value{}};
+  for (std::size_t k = 0; k < 4; ++k) c[k] = select(are_triangles, of_triangles[k], c[k]);
+  return c;
+}
+
+/// The corners of eight faces, and their maps.
+using CornersOfFaces = std::array<DoubleVectors, 4>;
+using MapsOfFaces = std::array<DoubleVectors, 4>;
+
+/// The same map in all lanes.
+inline MapsOfFaces all_lanes(const FaceMap& map) {
+  return {DoubleVectors::all(map.c[0]), DoubleVectors::all(map.c[1]), DoubleVectors::all(map.c[2]),
+          DoubleVectors::all(map.c[3])};
+}
+
+/// The map in one lane.
+inline FaceMap map_in(const MapsOfFaces& maps, bool is_triangle, Eigen::Index lane) {
+  return {{vector_in(maps[0], lane), vector_in(maps[1], lane), vector_in(maps[2], lane),
+           vector_in(maps[3], lane)},
+          is_triangle};
+}
+
 /// A number on a face as a function of its coordinates: c0 + c1 xi + c2 eta + c3 xi eta.
 using FaceFunction = std::array<double, 4>;
 
@@ -53,8 +84,14 @@ inline FaceFunction component(const FaceMap& map, int i) {
   return {map.c[0][i], map.c[1][i], map.c[2][i], map.c[3][i]};
 }
 
-/// The values of a function at points of a face.
-inline Lanes evaluate(const FaceFunction& c, const Lanes& xi, const Lanes& eta) {
+/// Numbers at the corners of eight faces, and functions on them.
+using CornerNumbers = std::array<Lanes, 4>;
+using FunctionsOfFaces = std::array<Lanes, 4>;
+
+/// The values of functions at points of faces.
+///   Function  FaceFunction or FunctionsOfFaces
+template <class Function>
+Lanes evaluate(const Function& c, const Lanes& xi, const Lanes& eta) {
   return c[0] + c[1] * xi + (c[2] + c[3] * xi) * eta;
 }
 

@@ -18,13 +18,6 @@ Facet make_facet(const MovingFace& face, Eigen::Index corner) {
 
 }  // namespace
 
-bool is_warped(const MovingFace& face, double flat) {
-  if (face.is_triangle) return false;
-  const Eigen::Vector3d area = area_vector(face.x);
-  const double height = 0.25 * area.dot((face.x.col(0) - face.x.col(1)) + (face.x.col(2) - face.x.col(3)));
-  return height * height > flat * flat * area.squaredNorm();
-}
-
 Eigen::Vector4d Facet::to_face(const Eigen::Vector4d& shares) const {
   if (number == 0) return shares;
   Eigen::Vector4d of_face = Eigen::Vector4d::Constant(0.25 * shares[2]);
@@ -33,8 +26,8 @@ Eigen::Vector4d Facet::to_face(const Eigen::Vector4d& shares) const {
   return of_face;
 }
 
-Facets::Facets(const MovingFace& face, double flat) {
-  if (!is_warped(face, flat)) {
+Facets::Facets(const MovingFace& face, bool is_split) {
+  if (!is_split) {
     facets_[0].face = face;
     return;
   }

@@ -2,9 +2,11 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
+#include <limits>
 #include <span>
 
-#include "contact/geometry/face_face.hpp"
+#include "contact/geometry/moving_face.hpp"
 
 namespace contactsim {
 
@@ -19,17 +21,13 @@ struct Facet {
   Eigen::Vector4d to_face(const Eigen::Vector4d& shares) const;
 };
 
-/// Whether a quadrilateral is out of its plane by more than this height [length].
-bool is_warped(const MovingFace& face, double flat);
-
-/// The facets of a face: four of a warped quadrilateral, else the face itself. Each of the four has a normal
-/// of its own: that in the middle of the quadrilateral is not square to its edges, so that what slides along
-/// an edge would sink in; and gaps between two of them are linear, so that what rises between the corners of
-/// another face is found.
+/// The facets of a face: four of a warped quadrilateral that is split, else the face itself. Each of the four
+/// has a normal of its own: that in the middle of the quadrilateral is not square to its edges, so that what
+/// slides along an edge would sink in; and gaps between two of them are linear, so that what rises between
+/// the corners of another face is found.
 class Facets {
  public:
-  ///   flat  height out of its plane up to which a quadrilateral counts as flat [length]
-  Facets(const MovingFace& face, double flat);
+  Facets(const MovingFace& face, bool is_split);
 
   std::span<const Facet> all() const { return {facets_.data(), n_}; }
 
@@ -41,5 +39,7 @@ class Facets {
 /// A quadrilateral whose corners are out of its plane by less than this share of an element's thickness is
 /// flat.
 inline constexpr double flat_share = 0.02;
+/// What counts as flat where no quadrilateral is to be split [length].
+inline constexpr double never_split = std::numeric_limits<double>::infinity();
 
 }  // namespace contactsim

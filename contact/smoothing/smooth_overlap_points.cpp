@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "contact/geometry/overlap_polygons.hpp"
+
 namespace contactsim {
 
 namespace {
@@ -32,7 +34,7 @@ double area_of(const SurfacePairPoint& a, const SurfacePairPoint& b, const Surfa
 Eigen::Vector3d normal_between(const Eigen::Vector3d& first, const Eigen::Vector3d& second,
                                double sharpness_1, double sharpness_2) {
   const auto shares = shares_of_normals(-first.dot(second), sharpness_1, sharpness_2);
-  return (shares[1] * second - shares[0] * first).normalized();
+  return (shares[1](0) * second - shares[0](0) * first).normalized();
 }
 
 /// By which a point is to the left of the way from one corner to another, times its length.
@@ -212,11 +214,9 @@ void SmoothOverlap::visit_triangle(const Triangle& corners, const GapBounds& bou
 }
 
 void SmoothOverlap::visit_flat(const Triangle& corners, const GapBounds& bounds, const Visit& visit) const {
-  OverlapPolygon whole;
-  whole.n = 0;
-  for (const SurfacePairPoint& corner : corners) whole.add(corner.u, corner.v, corner.coming_gap);
-  std::array<OverlapPolygon, 2> scratch;
-  const OverlapPolygon& part = part_between(bounds.least, bounds.most, whole, scratch);
+  std::array<DoubleVectors, 3> whole;
+  for (std::size_t k = 0; k < 3; ++k) whole[k] = {corners[k].u, corners[k].v, corners[k].coming_gap};
+  const OverlapPolygon part = OverlapPolygons(whole).part_between(bounds.least, bounds.most).of(0);
   for (int i = 1; i + 1 < part.n; ++i) {
     const auto corner = [&](int k) {
       SurfacePairPoint point;

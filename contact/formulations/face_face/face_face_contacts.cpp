@@ -29,6 +29,7 @@ void FaceFaceContacts::detect(const ContactStepContext& context, CandidateRows r
   const double reach = widest_reach_ + context.rules.largest_reach();
   FacePairBounds::Pairs pairs{}, before{};
   std::uint32_t near_before = 0;
+  Meetings meetings;
   const auto detect_before = [&] {
     for (std::uint32_t left = near_before; left != 0; left &= left - 1) {
       const FaceIndex second = before.second[first_lane(left)];
@@ -38,8 +39,10 @@ void FaceFaceContacts::detect(const ContactStepContext& context, CandidateRows r
     for (std::uint32_t left = near_before; left != 0; left &= left - 1) {
       const std::size_t lane = first_lane(left);
       const Candidate candidate = make_candidate(context, before.first[lane], before.position[lane]);
-      detect_one(context, candidate, points);
-      if (candidate.rule.acts_apart()) add_pull(context, candidate, points);
+      detect_one(context, candidate, meetings, points);
+      if (!candidate.rule.acts_apart()) continue;
+      end_meetings(context, meetings, points);
+      add_pull(context, candidate, points);
     }
   };
   const auto cull_pairs = [&] {
@@ -64,16 +67,31 @@ void FaceFaceContacts::detect(const ContactStepContext& context, CandidateRows r
   }
   cull_pairs();
   detect_before();
+  end_meetings(context, meetings, points);
+}
+
+void FaceFaceContacts::end_meetings(const ContactStepContext& context, Meetings& meetings,
+                                    std::vector<ContactPoint>& points) const {
+  if (meetings.all.empty()) return;
+  if (context.balances) {
+    add_balanced_points(context, meetings, points);
+  } else {
+    add_penalty_points(context, meetings, points);
+  }
+  meetings.all.clear();
 }
 
 void FaceFaceContacts::detect_one(const ContactStepContext& context, const Candidate& candidate,
-                                  std::vector<ContactPoint>& points) const {
+                                  Meetings& meetings, std::vector<ContactPoint>& points) const {
   const FaceBound &a = context.kinematics.bound(candidate.first),
                   &b = context.kinematics.bound(candidate.second);
   const double closing = above_zero((b.velocity() - a.velocity()).dot(b.normal()));
   const double closed = closing * context.dt, activation_distance = closing * context.ahead();
   const PairRule& rule = candidate.rule;
-  if (is_weighted(context, candidate)) return add_weighted_points(context, candidate, points);
+  if (is_weighted(context, candidate)) {
+    end_meetings(context, meetings, points);
+    return add_weighted_points(context, candidate, points);
+  }
   if (rule.is_balanced != context.balances) return;
   const double margin = context.balances ? closed_share * thinner(candidate) : 0.0;
   const double held = rule.pair->held_gap(thinner(candidate));
@@ -84,24 +102,40 @@ void FaceFaceContacts::detect_one(const ContactStepContext& context, const Candi
   if (rule.law != ContactLaw::sliding && context.constrained.holds_faces(candidate.first, candidate.second))
     return;
 
-  const MeetingFaces faces = make_meeting_faces(context, candidate);
-  PairPenalty penalty = make_penalty(candidate, faces.did_touch, closed);
+  Meeting& meeting =
+      meetings.all.emplace_back(Meeting{candidate, make_meeting_faces(context, candidate), {}, {}});
+  PairPenalty& penalty = meeting.penalty;
+  penalty = make_penalty(candidate, meeting.faces.did_touch, closed);
   // Of the mesh: what an offset makes deeper is no other wall.
-  penalty.depth += std::max(faces.offset, 0.0);
+  penalty.depth += std::max(meeting.faces.offset, 0.0);
+  const double flat = flat_share * thinner(candidate);
   if (context.balances) {
     const double depth = penalty.depth + 1.5 * closing * context.coming_dt;
-    const FaceFaceConstraints found =
-        faces.find_constraints({context.coming_dt, std::max(margin, held),
-                                std::max(activation_distance, held), depth, flat_share * thinner(candidate)});
-    return add_balanced_points(context, candidate, faces, found, points);
+    meeting.activation = {context.coming_dt, std::max(margin, held), std::max(activation_distance, held),
+                          depth, flat};
+  } else {
+    penalty.closing = context.is_static ? 0.0 : closed;
+    meeting.activation = {0.0, 0.0, activation_distance, penalty.depth, flat};
   }
-  penalty.closing = context.is_static ? 0.0 : closed;
-  const PenaltyPush push{faces, penalty, activation_distance};
-  if (held > 0.0) return add_spring_points(context, candidate, push, points);
-  if (!faces.are_round()) return add_penalty_points(context, candidate, push, points);
+  if (meeting.faces.are_round() || (!context.balances && held > 0.0)) {
+    const Meeting alone = meeting;
+    meetings.all.pop_back();
+    end_meetings(context, meetings, points);
+    return add_points_alone(context, alone, points);
+  }
+  if (meetings.all.size() == n_lanes) end_meetings(context, meetings, points);
+}
+
+void FaceFaceContacts::add_points_alone(const ContactStepContext& context, const Meeting& meeting,
+                                        std::vector<ContactPoint>& points) const {
+  const auto& [candidate, faces, penalty, activation] = meeting;
+  if (context.balances)
+    return add_balanced_points(context, meeting, faces.find_constraints(activation), points);
+  if (candidate.rule.pair->held_gap(thinner(candidate)) > 0.0)
+    return add_spring_points(context, meeting, points);
   const SmoothPatch patch_1(faces.first, faces.round_first), patch_2(faces.second, faces.round_second);
-  const auto contact = find_smooth_contact({patch_1, patch_2, faces.offset}, penalty, activation_distance);
-  add_penalty_point(context, candidate, push, contact, points);
+  const auto contact = find_smooth_contact({patch_1, patch_2, faces.offset}, penalty, activation.near);
+  add_penalty_point(context, meeting, contact, points);
 }
 
 PairPenalty FaceFaceContacts::make_penalty(const Candidate& candidate, bool did_touch, double closed) const {
@@ -136,32 +170,6 @@ MeetingFaces FaceFaceContacts::make_meeting_faces(const ContactStepContext& cont
   return faces;
 }
 
-void FaceFaceContacts::add_spring_points(const ContactStepContext& context, const Candidate& candidate,
-                                         const PenaltyPush& push, std::vector<ContactPoint>& points) const {
-  const double held = candidate.rule.pair->held_gap(thinner(candidate));
-  const double near = std::max(push.activation_distance, held);
-  const FaceFaceConstraints found =
-      push.faces.find_constraints({0.0, near, near, push.penalty.depth, flat_share * thinner(candidate)});
-  for (const OverlapShare& share : found.all()) {
-    const FaceFaceContact contact = contact_of(share, push.faces.first, push.faces.second);
-    const Eigen::Vector3d apart =
-        push.faces.first.velocity_at(share.weights_1) - push.faces.second.velocity_at(share.weights_2);
-    ContactPoint point = make_contact_point(candidate, contact);
-    point.part = share.part;
-    point.pulls = history_.is_held(point);
-    if (contact.gap > (point.pulls ? held : push.activation_distance)) continue;
-    if (contact.gap < 0.0 && !push.faces.did_touch && !point.pulls) {
-      if (!met_in_front(context, candidate, contact, -apart.dot(contact.normal) * context.dt)) continue;
-      if (is_at_flush_rim(context, candidate.first, candidate.second, contact)) continue;
-    }
-    push_node({push.penalty, candidate.rule.pair->damping_fraction, contact.area, apart, context.dt, 0.0,
-               apart, context.is_static},
-              point);
-    add_friction_to(context, candidate, push, apart, point);
-    points.push_back(point);
-  }
-}
-
 /// Says yes rather too often. Of a face that is carried only the plane stays where it is.
 bool FaceFaceContacts::may_meet(const ContactStepContext& context, const Candidate& candidate,
                                 double reach) const {
@@ -176,31 +184,6 @@ bool FaceFaceContacts::may_meet(const ContactStepContext& context, const Candida
 double FaceFaceContacts::thinner(const Candidate& candidate) const {
   return std::min(contact_mesh_.faces[candidate.first].penalty_properties.thickness,
                   contact_mesh_.faces[candidate.second].penalty_properties.thickness);
-}
-
-void FaceFaceContacts::add_balanced_points(const ContactStepContext& context, const Candidate& candidate,
-                                           const MeetingFaces& faces, const FaceFaceConstraints& found,
-                                           std::vector<ContactPoint>& points) const {
-  const double held = candidate.rule.pair->held_gap(thinner(candidate));
-  for (const OverlapShare& share : found.all()) {
-    const FaceFaceContact contact = contact_of(share, faces.first, faces.second);
-    const Eigen::Vector3d apart =
-        faces.first.velocity_at(share.weights_1) - faces.second.velocity_at(share.weights_2);
-    const double closing = -apart.dot(share.normal) * context.coming_dt;
-    ContactPoint point = make_contact_point(candidate, contact);
-    point.stiffness = 0.0;
-    point.is_balanced = true;
-    point.part = share.part;
-    point.closing = closing;
-    point.pulls = held > 0.0 && contact.gap <= held && history_.is_held(point);
-    if (!point.pulls) {
-      if (!faces.did_touch && contact.gap < 0.0 && !met_in_front(context, candidate, contact, closing))
-        continue;
-      if (contact.gap < closing && is_at_flush_rim(context, candidate.first, candidate.second, contact))
-        continue;
-    }
-    points.push_back(point);
-  }
 }
 
 ContactPoint FaceFaceContacts::make_contact_point(const Candidate& candidate,

@@ -58,7 +58,7 @@ class FaceFaceContacts {
   void add_start_gaps(const ContactStepContext& context, FoundStartGaps& gaps) const;
 
   void remap(const ContactRemap& remap);
-  /// The faces that the last remap() has released from their partners of the start.
+  /// Those that the last remap() has released from their partners of the start.
   std::span<const ReleasedPartner<FaceIndex>> released() const { return released_; }
   void archive(StateArchive& saved);
 
@@ -76,20 +76,32 @@ class FaceFaceContacts {
     return !context.is_static && start_partners_.empty() && n_candidates() > 0;
   }
   Candidate make_candidate(const ContactStepContext& context, FaceIndex first, std::size_t position) const;
-  /// What is taken off the gap of the mesh [length].
+  /// Taken off the gap of the mesh [length].
   static double offset_of(const ContactStepContext& context, const Candidate& candidate);
   MeetingFaces make_meeting_faces(const ContactStepContext& context, const Candidate& candidate) const;
-  /// Two faces that the elastic penalty parts.
-  struct PenaltyPush {
-    const MeetingFaces& faces;
-    const PairPenalty& penalty;
-    double activation_distance;  ///< gaps up to it count as near [length]
+  /// Two faces that may touch, before their overlap is known.
+  struct Meeting {
+    Candidate candidate;
+    MeetingFaces faces;
+    PairPenalty penalty;
+    ConstraintActivation activation;  ///< of the elastic penalty what is near and what is flat
   };
-  /// The penalty of two faces, with the depth up to which it pushes.
+  /// Those of flat faces, in the order of candidates: the overlaps of eight of them are found together.
+  struct Meetings {
+    std::vector<Meeting> all;
+    // Scratch.
+    std::vector<PushedFaces> pushed;
+    std::vector<PushedContact> contacts;
+    std::vector<ConstrainedFaces> constrained;
+  };
   ///   closed  by which their gap has shrunk in the step [length]
   PairPenalty make_penalty(const Candidate& candidate, bool did_touch, double closed) const;
-  void detect_one(const ContactStepContext& context, const Candidate& candidate,
+  /// Adds the meeting of two faces, or the contact points of those whose overlap is found alone.
+  void detect_one(const ContactStepContext& context, const Candidate& candidate, Meetings& meetings,
                   std::vector<ContactPoint>& points) const;
+  /// Adds the contact points of all meetings, which are over then.
+  void end_meetings(const ContactStepContext& context, Meetings& meetings,
+                    std::vector<ContactPoint>& points) const;
   /// Whether weighted gaps press a pair of faces, and not the gap of each of its points.
   bool is_weighted(const ContactStepContext& context, const Candidate& candidate) const;
   void weigh_one(const ContactStepContext& context, const Candidate& candidate,
@@ -98,19 +110,20 @@ class FaceFaceContacts {
                   WeightedOverlap& overlap) const;
   void add_weighted_points(const ContactStepContext& context, const Candidate& candidate,
                            std::vector<ContactPoint>& points) const;
-  /// The contact points of a pair that is enforced by the elastic penalty.
-  void add_penalty_points(const ContactStepContext& context, const Candidate& candidate,
-                          const PenaltyPush& push, std::vector<ContactPoint>& points) const;
-  void add_penalty_point(const ContactStepContext& context, const Candidate& candidate,
-                         const PenaltyPush& push, const FaceFaceContact& contact,
-                         std::vector<ContactPoint>& points) const;
+  /// The contact points of round faces, and of the elastic penalty's springs that hold.
+  void add_points_alone(const ContactStepContext& context, const Meeting& meeting,
+                        std::vector<ContactPoint>& points) const;
+  void add_penalty_points(const ContactStepContext& context, Meetings& meetings,
+                          std::vector<ContactPoint>& points) const;
+  void add_penalty_point(const ContactStepContext& context, const Meeting& meeting,
+                         const FaceFaceContact& contact, std::vector<ContactPoint>& points) const;
   /// The same where what has touched may not part, each by the mean gap of its part of the overlap.
-  void add_spring_points(const ContactStepContext& context, const Candidate& candidate,
-                         const PenaltyPush& push, std::vector<ContactPoint>& points) const;
-  /// The contact points of a pair that is enforced by momentum balance.
-  void add_balanced_points(const ContactStepContext& context, const Candidate& candidate,
-                           const MeetingFaces& faces, const FaceFaceConstraints& found,
+  void add_spring_points(const ContactStepContext& context, const Meeting& meeting,
+                         std::vector<ContactPoint>& points) const;
+  void add_balanced_points(const ContactStepContext& context, Meetings& meetings,
                            std::vector<ContactPoint>& points) const;
+  void add_balanced_points(const ContactStepContext& context, const Meeting& meeting,
+                           const FaceFaceConstraints& found, std::vector<ContactPoint>& points) const;
   /// Adds what a law does across the gap, or beside the penalty.
   void add_pull(const ContactStepContext& context, const Candidate& candidate,
                 std::vector<ContactPoint>& points) const;
@@ -124,13 +137,9 @@ class FaceFaceContacts {
   ///   closed  by which the gap has shrunk in the step [length]
   bool met_in_front(const ContactStepContext& context, const Candidate& candidate,
                     const FaceFaceContact& contact, double closed) const;
-  /// Calls visit(first facet, second facet) for the flat faces, or the facets of warped ones, that
-  /// a pair meets with.
-  template <class Visit>
-  void visit_flat(const Candidate& candidate, const PenaltyPush& push, const Visit& visit) const;
   /// Adds the friction of a penalty's contact point.
   ///   apart  velocity of the first side against the second [length/time]
-  void add_friction_to(const ContactStepContext& context, const Candidate& candidate, const PenaltyPush& push,
+  void add_friction_to(const ContactStepContext& context, const Meeting& meeting,
                        const Eigen::Vector3d& apart, ContactPoint& point) const;
 
   const ContactMesh& contact_mesh_;

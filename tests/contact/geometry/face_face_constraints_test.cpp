@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <set>
+#include <vector>
 
 #include "support/catch.hpp"
 #include "support/random_faces.hpp"
@@ -105,6 +106,40 @@ TEST_CASE("both sides of a contact point of faces coincide along its normal", "[
       CHECK(point.weights_2.sum() == Approx(1.0));
       const Vector3d apart = first.x * point.weights_1 - second.x * point.weights_2;
       CHECK(apart.cross(point.normal).norm() < 1e-12);
+    }
+  }
+  CHECK(n_points > 300);
+}
+
+TEST_CASE("constraints of eight pairs are those of each pair alone", "[contact][face_face]") {
+  Random random(22);
+  std::size_t n_points = 0;
+  for (int i = 0; i < 30; ++i) {
+    std::vector<MovingFace> first, second;
+    for (int k = 0; k < n_lanes; ++k) {
+      first.push_back(random_face(random, (i + k) % 3 == 0, true, 0.0));
+      second.push_back(random_face(random, (i + k) % 4 == 0, false, uniform(random, -0.1, 0.1)));
+      if (k == 2) second.back().x.row(1).array() += 0.8;  // a small overlap
+    }
+    std::vector<ConstrainedFaces> pairs;
+    for (std::size_t k = 0; k < n_lanes; ++k) {
+      const double closes = 0.005 * static_cast<double>(k);
+      pairs.push_back({first[k], second[k], {0.01, closes, 2.0 * closes, 1.0, i % 2 == 0 ? 1.0 : 0.02}});
+    }
+    std::array<FaceFaceConstraints, n_lanes> together;
+    find_face_face_constraints(pairs, together);
+    for (std::size_t k = 0; k < n_lanes; ++k) {
+      const FaceFaceConstraints alone = find_face_face_constraints(first[k], second[k], pairs[k].activation);
+      REQUIRE(together[k].n == alone.n);
+      n_points += alone.n;
+      for (std::size_t c = 0; c < alone.n; ++c) {
+        const OverlapShare &a = together[k].points[c], &b = alone.points[c];
+        CHECK(a.part == b.part);
+        CHECK(a.area == b.area);
+        CHECK(a.normal == b.normal);
+        CHECK(a.weights_1 == b.weights_1);
+        CHECK(a.weights_2 == b.weights_2);
+      }
     }
   }
   CHECK(n_points > 300);

@@ -3,7 +3,11 @@
 
 #include <cmath>
 #include <optional>
+#include <vector>
 
+#include "contact/geometry/facets.hpp"
+#include "contact/geometry/projected_pair.hpp"
+#include "core/interface_laws/pressure_law.hpp"
 #include "support/catch.hpp"
 #include "support/random_faces.hpp"
 
@@ -140,7 +144,8 @@ TEST_CASE("triangles push as a sum over fine squares says", "[contact][face_face
     const MovingFace a = random_face(random, true, true, 0.0), b = random_face(random, true, false, 0.0);
     const FaceFaceContact contact = find_face_face_contact(a, b, stiff, 0.0);
     const CommonPlane plane = make_common_plane(a.x, a.look(), b.look()).value();
-    const FaceCorners first = project(a.x, plane), second = project(b.x, plane);
+    const ProjectedPair pair = project_pair(a, b).value();
+    const FaceCorners &first = pair.first, &second = pair.second;
     double force = 0.0, touched = 0.0, shared = 0.0;
     constexpr int n = 400;
     for (int k = 0; k < n * n; ++k) {
@@ -265,4 +270,54 @@ TEST_CASE("the points of two faces tell the gap at each", "[contact][face_face]"
             .gap(0) == Approx(-0.2));
   CHECK(!find_face_face_points(make_square(0.0, 0.0, true), make_square(1.0, 0.2, false)));
   CHECK(!find_face_face_points(make_square(0.0, 0.0, true), make_square(0.0, 0.2, true)));
+}
+
+TEST_CASE("contacts of eight pairs are those of each pair alone, whatever their penalties",
+          "[contact][face_face]") {
+  Random random(21);
+  const PressureLaw pressure = PressureLaw::exponential(10.0, 0.02);
+  std::size_t n_contacts = 0, n_of_facets = 0;
+  for (int i = 0; i < 30; ++i) {
+    std::vector<MovingFace> first, second;
+    std::vector<PairPenalty> penalties;
+    for (int k = 0; k < n_lanes; ++k) {
+      first.push_back(random_face(random, (i + k) % 3 == 0, true, 0.0));
+      second.push_back(random_face(random, (i + k) % 4 == 0, false, uniform(random, -0.1, 0.1)));
+      if (k == 6) second.back() = first.back();  // looks the same way
+      penalties.push_back(stiff);
+      penalties.back().damping = k % 2 == 0 ? 0.0 : 0.2 * k;
+      if (k > 4) penalties.back().law = DepthLaw(0.01, 0.02, 5.0 + k);
+      if (k == 3) penalties.back().pressure = &pressure;
+      penalties.back().closing = 0.01 * k;
+    }
+    std::vector<PushedFaces> pairs;
+    for (std::size_t k = 0; k < n_lanes; ++k)
+      pairs.push_back({first[k], second[k], penalties[k], 0.01 * static_cast<double>(k),
+                       i % 2 == 0 ? never_split : 0.02});
+    std::vector<PushedContact> together, alone;
+    find_face_face_contacts(pairs, together);
+    for (std::size_t k = 0; k < n_lanes; ++k) {
+      std::vector<PushedContact> one;
+      find_face_face_contacts({&pairs[k], 1}, one);
+      for (const PushedContact& of_one : one) alone.push_back({k, of_one.contact});
+      n_of_facets += one.size() > 1 ? 1 : 0;
+    }
+    REQUIRE(together.size() == alone.size());
+    n_contacts += alone.size();
+    for (std::size_t k = 0; k < alone.size(); ++k) {
+      const FaceFaceContact &a = together[k].contact, &b = alone[k].contact;
+      CHECK(together[k].pair == alone[k].pair);
+      CHECK(a.force == b.force);
+      CHECK(a.gap == b.gap);
+      CHECK(a.area == b.area);
+      CHECK(a.stiffness == b.stiffness);
+      CHECK(a.beyond_spring == b.beyond_spring);
+      CHECK(a.damped_power == b.damped_power);
+      CHECK(a.normal == b.normal);
+      CHECK(a.weights_1 == b.weights_1);
+      CHECK(a.weights_2 == b.weights_2);
+    }
+  }
+  CHECK(n_contacts > 100);
+  CHECK(n_of_facets > 10);
 }
