@@ -11,6 +11,7 @@ Numbers that are known to miss are marked and do not fail as long as they get no
 """
 import sys
 import tempfile
+from concurrent.futures import ProcessPoolExecutor
 from pathlib import Path
 
 sys.dont_write_bytecode = True  # decks/ may be read-only
@@ -71,20 +72,29 @@ def run_and_keep(folder, program, names):
     return 0
 
 
+def rows_of(program, name):
+    return [f"| {name} | {check.row()} |" for check in run_case(program, name)]
+
+
+def refined_rows_of(program, name, refinement):
+    checks = run_case(program, name, refinement)
+    return [f"| {name} | {refinement} | {check.short_row()} |" for check in checks if "balance" not in check.quantity]
+
+
 def write_table(program):
     lines = ["# Verification", "", "What the decks of `decks/verification` should reach and do. Errors are relative. What",
              "misses its tolerance is marked; the head of the deck says why. Made by `decks/verification/verify.py PROGRAM --table`.", "",
              "| case | quantity | expected | reached | error | tolerance |", "| --- | --- | --- | --- | --- | --- |"]
-    for name in CASES:
-        lines += [f"| {name} | {check.row()} |" for check in run_case(program, name)]
-    lines += ["", "## Refined meshes", "",
-              "The first quantities of a case by its number of elements: along bars, over the beam's thickness, through the",
-              "wall, across the core of the rod or ball.", "", "| case | elements | quantity | expected | reached | error |",
-              "| --- | --- | --- | --- | --- | --- |"]
-    for name, case in CASES.items():
-        for refinement in case.refined:
-            checks = run_case(program, name, refinement)
-            lines += [f"| {name} | {refinement} | {check.short_row()} |" for check in checks if "balance" not in check.quantity]
+    with ProcessPoolExecutor() as processes:  # a case a processor
+        rows = [processes.submit(rows_of, program, name) for name in CASES]
+        refined = [processes.submit(refined_rows_of, program, name, refinement)
+                   for name, case in CASES.items() for refinement in case.refined]
+        lines += [row for case in rows for row in case.result()]
+        lines += ["", "## Refined meshes", "",
+                  "The first quantities of a case by its number of elements: along bars, over the beam's thickness, through the",
+                  "wall, across the core of the rod or ball.", "", "| case | elements | quantity | expected | reached | error |",
+                  "| --- | --- | --- | --- | --- | --- |"]
+        lines += [row for case in refined for row in case.result()]
     (HERE.parent / "VALIDATION.md").write_text("\n".join(lines) + "\n")
     return 0
 
