@@ -32,29 +32,32 @@ struct FaceMap {
   Eigen::Vector3d centre() const { return is_triangle ? Eigen::Vector3d(c[0] + (c[1] + c[2]) / 3.0) : c[0]; }
 };
 
+/// The coefficients of the map of a quadrilateral, and of that of a triangle, from the values of the corners.
+///   Value  a vector, or one of its components, of one face or in lanes
+template <class Value>
+std::array<Value, 4> quadrilateral_map(const Value& x0, const Value& x1, const Value& x2, const Value& x3) {
+  const Value a = x0 + x2, b = x1 + x3, p = x2 - x0, q = x1 - x3;
+  return {0.25 * (a + b), 0.25 * (p + q), 0.25 * (p - q), 0.25 * (a - b)};
+}
+template <class Value>
+std::array<Value, 4> triangle_map(const Value& x0, const Value& x1, const Value& x2, const Value& zero) {
+  return {x0, x1 - x0, x2 - x0, zero};
+}
+
 /// The map that takes the values of the corners.
 inline FaceMap make_face_map(const FaceCorners& x, bool is_triangle) {
-  FaceMap map;
-  map.is_triangle = is_triangle;
-  if (is_triangle) {
-    map.c = {x.col(0), x.col(1) - x.col(0), x.col(2) - x.col(0), Eigen::Vector3d::Zero()};
-  } else {
-    const Eigen::Vector3d a = x.col(0) + x.col(2), b = x.col(1) + x.col(3);
-    const Eigen::Vector3d p = x.col(2) - x.col(0), q = x.col(1) - x.col(3);
-    map.c = {0.25 * (a + b), 0.25 * (p + q), 0.25 * (p - q), 0.25 * (a - b)};
-  }
-  return map;
+  using Vector = Eigen::Vector3d;
+  if (is_triangle) return {triangle_map<Vector>(x.col(0), x.col(1), x.col(2), Vector::Zero()), true};
+  return {quadrilateral_map<Vector>(x.col(0), x.col(1), x.col(2), x.col(3)), false};
 }
 
 /// What eight faces have at their corners, as functions on them; see FaceMap.
 ///   Value  DoubleVectors or Lanes
 template <class Value>
 std::array<Value, 4> make_functions(const std::array<Value, 4>& f, const LaneMask& are_triangles) {
-  const Lanes quarter = 0.25;
-  const Value a = f[0] + f[2], b = f[1] + f[3], p = f[2] - f[0], q = f[1] - f[3];
-  std::array<Value, 4> c{quarter * (a + b), quarter * (p + q), quarter * (p - q), quarter * (a - b)};
+  std::array<Value, 4> c = quadrilateral_map(f[0], f[1], f[2], f[3]);
   if (!are_triangles.any()) return c;
-  const std::array<Value, 4> of_triangles{f[0], f[1] - f[0], p, Value{}};
+  const std::array<Value, 4> of_triangles = triangle_map(f[0], f[1], f[2], Value{});
   for (std::size_t k = 0; k < 4; ++k) c[k] = select(are_triangles, of_triangles[k], c[k]);
   return c;
 }

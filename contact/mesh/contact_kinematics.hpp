@@ -95,6 +95,7 @@ class ContactKinematics {
   const FaceBound& bound(FaceIndex face) const { return bounds_[face]; }
   MovingFace face(FaceIndex face) const;
   FaceCorners face_corners(FaceIndex face) const { return corners(contact_mesh_.faces[face]); }
+  FaceCorners face_velocities(FaceIndex face) const { return velocities(contact_mesh_.faces[face]); }
   /// The same with the velocities of the step before, whatever is foreseen.
   MovingFace last_face(FaceIndex face) const;
   /// The area vector of a face, and the share of it that each corner has [length^2].

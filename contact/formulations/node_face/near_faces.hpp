@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <algorithm>
 #include <array>
 
 #include "contact/formulations/node_face/node_face_contacts.hpp"
@@ -8,6 +9,21 @@
 #include "contact/geometry/node_face.hpp"
 
 namespace contactsim {
+
+inline bool has_corner(const ContactFace& face, ContactNodeIndex node) {
+  return std::ranges::find(face.corners, node) != face.corners.end();
+}
+
+/// A face that a node may touch as far as bounds tell.
+struct NodeFaceContacts::FaceInReach {
+  SurfaceNodeIndex row;
+  FaceIndex face;
+  PairIndex pair;
+  const PairRule* rule = nullptr;
+  NodeHistory node_history;
+  double offset = 0.0, deeper = 0.0;  ///< see NodeReach [length]
+  bool keeps_plane = false;           ///< it is a face of the start that the node slides over
+};
 
 /// A face that a node may touch.
 struct NodeFaceContacts::NearFace {

@@ -12,7 +12,6 @@
 #include "contact/formulations/node_face/near_faces.hpp"
 #include "contact/formulations/node_share.hpp"
 #include "contact/formulations/penalty.hpp"
-#include "contact/formulations/prefetch.hpp"
 #include "contact/geometry/node_face.hpp"
 #include "contact/interface_laws/friction.hpp"
 #include "contact/smoothing/smooth_face.hpp"
@@ -46,10 +45,6 @@ Closing find_closing(const ContactStepContext& context, const SurfaceNode& node,
           context.balances ? closed_share * thinner : 0.0};
 }
 
-bool has_corner(const ContactFace& face, ContactNodeIndex node) {
-  return std::find(face.corners.begin(), face.corners.end(), node) != face.corners.end();
-}
-
 /// By what presses, or by the pressure that is held in trials of load steps.
 double slip_limit(const ContactStepContext& context, const PairRule& rule, ContactPoint point) {
   if (context.slip_pressures != nullptr)
@@ -59,23 +54,9 @@ double slip_limit(const ContactStepContext& context, const PairRule& rule, Conta
 
 }  // namespace
 
-void NodeFaceContacts::detect(const ContactStepContext& context, CandidateRows rows,
-                              std::vector<ContactPoint>& points) const {
-  NearFaces near_faces;
-  for (const SurfaceNodeIndex row : rows.indices<SurfaceNodeIndex>()) {
-    const SurfaceNodeIndex next{row.value + 1};
-    if (next.value < rows.end) {
-      for (const FaceIndex face : candidates_.of(next)) prefetch(bounds_[face]);
-    }
-    if (!candidates_.of(row).empty()) detect_one(context, row, near_faces, points);
-  }
-}
-
-void NodeFaceContacts::detect_one(const ContactStepContext& context, SurfaceNodeIndex row,
-                                  NearFaces& near_faces, std::vector<ContactPoint>& points) const {
-  const NodeHistory node_history = history_.of(row);
-  near_faces.n = 0;
-  find_near_faces(context, row, node_history, near_faces);
+void NodeFaceContacts::add_points(const ContactStepContext& context, SurfaceNodeIndex row,
+                                  const NodeHistory& node_history, NearFaces& near_faces,
+                                  std::vector<ContactPoint>& points) const {
   if (!start_partners_.empty()) choose_planes(near_faces);
   if (near_faces.n > 1) choose(context, row, node_history, near_faces);
   for (NearFace& near_face : near_faces) {
@@ -94,95 +75,79 @@ void NodeFaceContacts::detect_one(const ContactStepContext& context, SurfaceNode
   }
 }
 
-void NodeFaceContacts::find_near_faces(const ContactStepContext& context, SurfaceNodeIndex row,
-                                       const NodeHistory& node_history, NearFaces& near_faces) const {
-  const bool is_known = !node_history.face_histories.empty();
-  std::optional<NodeReach> reach;
-  NodeReach::Faces faces;
-  const auto add_faces = [&] {
-    for (std::uint32_t left = reach->find(bounds_, faces); left != 0; left &= left - 1) {
-      const std::size_t lane = first_lane(left);
-      add_near_face(context, row, {faces.face(lane), *reach, faces.limits(lane)}, node_history, near_faces);
-    }
-    faces.clear();
-  };
-  std::optional<SurfaceIndex> surface;  // that the reach is for
-  for (const FaceIndex face : candidates_.of(row)) {
-    const ReachBounds::Bound& bound = bounds_[face];
-    if (surface && (surface != bound.surface || faces.are_full())) add_faces();
-    if (surface != bound.surface) reach.emplace(context, bounds_, row, bound.surface, is_known);
-    surface = bound.surface;
-    if (reach->rule().is_balanced == context.balances) faces.add(face);
-  }
-  if (surface) add_faces();
+std::optional<ClosestPoint> NodeFaceContacts::find_closest_point(
+    const ContactStepContext& context, const FaceInReach& in_reach,
+    const std::optional<ClosestPoint>& flat) const {
+  const SurfaceNode& node = contact_mesh_.surface_nodes[in_reach.row];
+  const SmoothFace* round = contact_mesh_.smooth_faces.find(in_reach.rule->pair->smoothing, in_reach.face);
+  if (round == nullptr && node.radius == 0.0f) return flat;
+  const FaceCorners corners = context.kinematics.face_corners(in_reach.face);
+  const bool is_triangle = contact_mesh_.faces[in_reach.face].is_triangle();
+  const Eigen::Vector3d x = context.kinematics.x(node.node);
+  if (round != nullptr) return project_sphere(corners, is_triangle, round, x, node.radius);
+  return project_sphere(corners, is_triangle, x, node.radius, flat);
 }
 
-void NodeFaceContacts::add_near_face(const ContactStepContext& context, SurfaceNodeIndex row,
-                                     const FaceInReach& in_reach, const NodeHistory& node_history,
-                                     NearFaces& near_faces) const {
-  const auto& [face_index, reach, limits] = in_reach;
-  const SurfaceNode& node = contact_mesh_.surface_nodes[row];
+void NodeFaceContacts::add_near_face(const ContactStepContext& context, const FaceInReach& in_reach,
+                                     const std::optional<ClosestPoint>& flat, NearFaces& near_faces) const {
+  const FaceIndex face_index = in_reach.face;
+  const PairRule& rule = *in_reach.rule;
+  const NodeHistory& node_history = in_reach.node_history;
+  const SurfaceNode& node = contact_mesh_.surface_nodes[in_reach.row];
   const ContactFace& face = contact_mesh_.faces[face_index];
-  const PairRule& rule = reach.rule();
   const FaceBound& bound = context.kinematics.bound(face_index);
   const Eigen::Vector3d x = context.kinematics.x(node.node);
-  const bool keeps_plane = rule.pair->behavior == InteractionBehavior::infinitesimal_sliding &&
-                           start_partners_.has(row, face_index);
-  const double anywhere = keeps_plane ? std::numeric_limits<float>::max() : 0.0;
-  if (!may_project_inside(x, bound, limits.above, limits.below, std::max<double>(limits.beyond, anywhere)) ||
-      has_corner(face, node.node))
-    return;
-  if (!rule.is_active || rule.law == ContactLaw::tied) return;
-  if (rule.law != ContactLaw::sliding && context.constrained.holds_node(row, reach.pair())) return;
-  const MovingFace moving = context.kinematics.face(face_index);
-  const SmoothFace* round = contact_mesh_.smooth_faces.find(rule.pair->smoothing, face_index);
-  const auto point = project_sphere(moving.x, moving.is_triangle, round, x, node.radius);
   const Closing closing = find_closing(context, node, face, bound);
   NearFace near_face;
   near_face.face = face_index;
-  near_face.pair = reach.pair();
+  near_face.pair = in_reach.pair;
   near_face.near = std::max(closing.soon, closing.margin);
-  near_face.deeper = reach.deeper();
-  near_face.is_plane = keeps_plane && stand_on_plane(moving, x, node.radius, near_face);
-  if (!near_face.is_plane) {
+  near_face.deeper = in_reach.deeper;
+  near_face.is_plane = in_reach.keeps_plane && !(flat && !flat->edge);
+  if (near_face.is_plane) {
+    stand_on_plane(context.kinematics.face(face_index), x, node.radius, near_face);
+  } else {
+    const auto point = find_closest_point(context, in_reach, flat);
     if (!point) return;
     near_face.point = *point;
     near_face.distance = std::abs(point->gap + node.radius) + point->beyond;
-    near_face.weights = corner_weights(point->xi, point->eta, moving.is_triangle);
+    near_face.weights = corner_weights(point->xi, point->eta, face.is_triangle());
   }
-  near_face.point.gap -= reach.offset();
-  near_face.penalty = make_pair_penalty(node.penalty_properties, &face.penalty_properties, rule);
-  if (context.is_static) near_face.penalty.law = {};  // multipliers press what is deep
-  const bool is_known = node_history.knows(near_face.point.normal);
-  near_face.penalty.depth =
-      is_known ? any_depth
-               : std::max(near_face.penalty.depth, 1.5 * closing.closed) + std::max(reach.offset(), 0.0);
+  near_face.point.gap -= in_reach.offset;
   const double held = node_history.face_histories.empty() ? 0.0 : rule.pair->held_gap(closing.thinner);
   near_face.pulls = near_face.point.gap <= held && held > 0.0 &&
                     node_history.touched(near_face.pair, near_face.point.normal);
   const double from_afar = std::max({rule.activation_distance, near_face.near,
                                      context.dt > 0.0 ? 0.0 : static_cast<double>(bound.radius())});
-  if ((near_face.point.gap > from_afar && !near_face.pulls) || -near_face.point.gap > near_face.penalty.depth)
-    return;
-  if (!comes_from_outside(context, node, moving, near_face, node_history.depth(near_face.point.normal)))
-    return;
+  if (near_face.point.gap > from_afar && !near_face.pulls) return;
+  // As projects_inside(), which takes longer behind the face.
+  if (near_face.point.gap >= 0.0 && near_face.point.beyond > allowed_beyond(*rule.pair, bound)) return;
+  near_face.penalty = make_pair_penalty(node.penalty_properties, &face.penalty_properties, rule);
+  if (context.is_static) near_face.penalty.law = {};  // multipliers press what is deep
+  const bool is_known = node_history.knows(near_face.point.normal);
+  near_face.penalty.depth =
+      is_known ? any_depth
+               : std::max(near_face.penalty.depth, 1.5 * closing.closed) + std::max(in_reach.offset, 0.0);
+  if (-near_face.point.gap > near_face.penalty.depth) return;
+  if (!comes_from_outside(context, node, near_face, node_history.depth(near_face.point.normal))) return;
   if (!is_facing(context, node, near_face.point.normal) || !projects_inside(context, face_index, near_face))
     return;
   const bool may_hang_over =
       near_face.is_plane || (near_face.point.edge && rule.pair->tangential_tolerance.has_value());
   if ((near_face.point.gap < 0.0 || context.balances) && node.radius == 0.0f && !may_hang_over &&
-      is_at_flush_rim(context, row, face_index, near_face.point.normal))
+      is_at_flush_rim(context, in_reach.row, face_index, near_face.point.normal))
     return;
   near_faces.add(near_face);
 }
 
 bool NodeFaceContacts::comes_from_outside(const ContactStepContext& context, const SurfaceNode& node,
-                                          const MovingFace& face, const NearFace& near_face,
-                                          double depth) const {
+                                          const NearFace& near_face, double depth) const {
   if (near_face.point.gap >= 0.0 || !must_come_from_outside(context, context.rules[near_face.pair]))
     return true;
-  const double approach =
-      (face.v * near_face.weights - context.kinematics.v(node.node)).dot(near_face.point.normal) * context.dt;
+  const double approach = (context.kinematics.face_velocities(near_face.face) * near_face.weights -
+                           context.kinematics.v(node.node))
+                              .dot(near_face.point.normal) *
+                          context.dt;
   // What comes up behind the one side of a shell that takes part leaves through it.
   if (context.rules[near_face.pair].pair->is_polar() && !(approach > 0.0) && depth == 0.0) return false;
   // Beyond the edge of a face it may be outside the body: there it has to come from in front. A spring that
@@ -215,9 +180,10 @@ bool NodeFaceContacts::is_facing(const ContactStepContext& context, const Surfac
 bool NodeFaceContacts::projects_inside(const ContactStepContext& context, FaceIndex face_index,
                                        const NearFace& near_face) const {
   if (!near_face.point.edge) return true;
-  const ContactFace& face = contact_mesh_.faces[face_index];
   const FaceBound& bound = context.kinematics.bound(face_index);
   double allowed = allowed_beyond(*context.rules[near_face.pair].pair, bound);
+  if (near_face.point.beyond <= allowed) return true;
+  const ContactFace& face = contact_mesh_.faces[face_index];
   // Behind the edge of a hollow there is a wedge that no face projects inside.
   const std::size_t n = face.is_triangle() ? 3 : 4, k = *near_face.point.edge;
   const ContactNodeIndex a = face.corners[k], b = face.corners[(k + 1) % n];

@@ -67,19 +67,25 @@ class NodeFaceContacts {
 
   struct NearFace;
   struct NearFaces;
-  struct FaceInReach {
-    FaceIndex face;
-    const NodeReach& reach;
-    NodeReach::Limits limits;
-  };
+  struct FaceInReach;
+  class Projection;
 
-  void detect_one(const ContactStepContext& context, SurfaceNodeIndex row, NearFaces& near_faces,
-                  std::vector<ContactPoint>& points) const;
-  /// Finds the faces that the node may touch.
-  void find_near_faces(const ContactStepContext& context, SurfaceNodeIndex row,
-                       const NodeHistory& node_history, NearFaces& near_faces) const;
-  void add_near_face(const ContactStepContext& context, SurfaceNodeIndex row, const FaceInReach& in_reach,
-                     const NodeHistory& node_history, NearFaces& near_faces) const;
+  /// Gives the projection the faces that the node may touch as far as bounds tell.
+  void find_faces_in_reach(const ContactStepContext& context, SurfaceNodeIndex row,
+                           Projection& projection) const;
+  bool may_touch(const ContactStepContext& context, const FaceInReach& in_reach,
+                 const NodeReach::Limits& limits) const;
+  /// Of the node's sphere, on the surface that the face stands for.
+  ///   flat  of the node on the face itself
+  std::optional<ClosestPoint> find_closest_point(const ContactStepContext& context,
+                                                 const FaceInReach& in_reach,
+                                                 const std::optional<ClosestPoint>& flat) const;
+  /// Adds a face in reach if the node may touch it.
+  void add_near_face(const ContactStepContext& context, const FaceInReach& in_reach,
+                     const std::optional<ClosestPoint>& flat, NearFaces& near_faces) const;
+  /// Adds the points of a node's near faces, which it chooses from.
+  void add_points(const ContactStepContext& context, SurfaceNodeIndex row, const NodeHistory& node_history,
+                  NearFaces& near_faces, std::vector<ContactPoint>& points) const;
   /// Whether one of the node's own faces is turned towards a face with this normal; of nodes without faces
   /// always.
   bool is_facing(const ContactStepContext& context, const SurfaceNode& node,
@@ -88,13 +94,12 @@ class NodeFaceContacts {
   /// that it knows, one step ago. A node that turns up deep inside went in elsewhere; pushing it out here
   /// would make energy from nothing.
   ///   depth  of what it knows [length]
-  bool comes_from_outside(const ContactStepContext& context, const SurfaceNode& node, const MovingFace& face,
+  bool comes_from_outside(const ContactStepContext& context, const SurfaceNode& node,
                           const NearFace& near_face, double depth) const;
   bool projects_inside(const ContactStepContext& context, FaceIndex face, const NearFace& near_face) const;
   static std::size_t share_at_edge(double thickness, NearFaces& near_faces);
-  /// Puts the node over the plane of a face, which counts as if it were over the face; false where it is over
-  /// the face.
-  static bool stand_on_plane(const MovingFace& face, const Eigen::Vector3d& x, double radius,
+  /// Puts a node that does not project inside a face over its plane, which counts as if it were the face.
+  static void stand_on_plane(const MovingFace& face, const Eigen::Vector3d& x, double radius,
                              NearFace& near_face);
   /// Leaves the plane of a face out where the node projects inside another face of the same wall, or nearer
   /// to it.

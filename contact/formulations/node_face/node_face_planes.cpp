@@ -8,26 +8,14 @@
 
 namespace contactsim {
 
-namespace {
-
-/// Whether a point projects inside a face.
-bool is_over(const MovingFace& face, const Eigen::Vector3d& x) {
-  const auto point = project_onto_face(face.x, face.is_triangle, x);
-  return point && !point->edge;
-}
-
-}  // namespace
-
-bool NodeFaceContacts::stand_on_plane(const MovingFace& face, const Eigen::Vector3d& x, double radius,
+void NodeFaceContacts::stand_on_plane(const MovingFace& face, const Eigen::Vector3d& x, double radius,
                                       NearFace& near_face) {
-  if (is_over(face, x)) return false;
   const PlanePoint found = project_onto_plane(face, x);
   near_face.weights = found.weights;
   near_face.beyond = found.beyond;
   near_face.point.normal = found.normal;
   near_face.point.gap = found.gap - radius;
   near_face.distance = std::abs(found.gap);
-  return true;
 }
 
 void NodeFaceContacts::choose_planes(NearFaces& near_faces) {

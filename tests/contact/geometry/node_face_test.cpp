@@ -2,6 +2,9 @@
 #include "contact/geometry/node_face.hpp"
 
 #include <algorithm>
+#include <bit>
+#include <cmath>
+#include <vector>
 
 #include "support/catch.hpp"
 #include "support/random_faces.hpp"
@@ -25,6 +28,37 @@ double distance_by_sampling(const MovingFace& face, const Vector3d& point) {
     }
   }
   return least;
+}
+
+/// A point beside a face that may be a triangle, warped, without area or far away.
+struct FacePoint {
+  MovingFace face;
+  Vector3d point;
+
+  explicit FacePoint(Random& random)
+      : face(random_face(random, random() % 2 == 0, random() % 2 == 0, 0.0)),
+        point(random_vector(random, 1.0)) {
+    const auto kind = random() % 12;
+    if (kind == 0) face.x.col(0) = face.x.col(1) = face.x.col(2);
+    if (kind == 1) point *= 30.0;
+    if (kind == 2) point[1] = std::nan("");
+    if (kind == 3) point = face.x.col(0);
+    if (kind == 4) face.x.colwise() += 1e6 * Vector3d::Ones();
+    if (kind == 5) face.x *= 1e-160;  // what is square to it has no length
+  }
+};
+
+bool are_same_bits(double a, double b) {
+  return std::bit_cast<std::uint64_t>(a) == std::bit_cast<std::uint64_t>(b);
+}
+
+bool are_same(const std::optional<ClosestPoint>& a, const std::optional<ClosestPoint>& b) {
+  if (!a || !b) return !a && !b;
+  for (int i = 0; i < 3; ++i) {
+    if (!are_same_bits(a->normal[i], b->normal[i])) return false;
+  }
+  return are_same_bits(a->xi, b->xi) && are_same_bits(a->eta, b->eta) && are_same_bits(a->gap, b->gap) &&
+         are_same_bits(a->beyond, b->beyond) && a->edge == b->edge;
 }
 
 ClosestPoint project_on(const MovingFace& face, const Vector3d& point) {
@@ -110,4 +144,44 @@ TEST_CASE("a point far away, one that is nowhere and a face without area have no
   CHECK(!project_onto_face(square.x, false, {std::nan(""), 0.5, 0.0}));
   CHECK(!project_onto_face(FaceCorners::Zero(), false, {0.0, 0.0, 1.0}));
   CHECK(!project_onto_face(FaceCorners::Zero(), true, {0.0, 0.0, 1.0}));
+}
+
+TEST_CASE("points that are projected together are where each would be alone, to the bit",
+          "[contact][node_face]") {
+  Random random(3);
+  ProjectionLanes lanes;
+  int n_found = 0, n_lost = 0;
+  for (int i = 0; i < 2000; ++i) {
+    std::vector<FacePoint> all;
+    const std::size_t n = 1 + random() % n_lanes;
+    for (std::size_t k = 0; k < n; ++k) {
+      all.emplace_back(random);
+      lanes.add(all[k].face.x, all[k].face.is_triangle, all[k].point);
+    }
+    CHECK(lanes.are_full() == (n == n_lanes));
+    REQUIRE(lanes.size() == n);
+    const auto found = lanes.project();
+    lanes.clear();
+    for (std::size_t k = 0; k < n; ++k) {
+      const auto alone = project_onto_face(all[k].face.x, all[k].face.is_triangle, all[k].point);
+      if (!are_same(found[k], alone)) FAIL("lane " << k << " of " << n << " differs");
+      (alone ? n_found : n_lost) += 1;
+    }
+  }
+  CHECK(n_found > 5000);
+  CHECK(n_lost > 1000);
+}
+
+TEST_CASE("coordinates move into a face to its nearest point there", "[contact][node_face]") {
+  const auto moved = [](bool is_triangle, double xi, double eta) {
+    const auto edge = move_inside(is_triangle, xi, eta);
+    return std::array{edge ? static_cast<double>(*edge) : -1.0, xi, eta};
+  };
+  CHECK(moved(false, 0.5, -0.5) == std::array{-1.0, 0.5, -0.5});
+  CHECK(moved(false, 1.5, -1.25) == std::array{1.0, 1.0, -1.0});
+  CHECK(moved(false, -1.0, 1.0) == std::array{-1.0, -1.0, 1.0});
+  CHECK(moved(true, 0.25, 0.5) == std::array{-1.0, 0.25, 0.5});
+  CHECK(moved(true, 0.75, 0.75) == std::array{1.0, 0.5, 0.5});
+  CHECK(moved(true, -0.5, 2.0) == std::array{1.0, 0.0, 1.0});
+  CHECK(moved(true, -0.25, 0.5) == std::array{2.0, 0.0, 0.5});
 }
