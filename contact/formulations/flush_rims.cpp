@@ -33,8 +33,7 @@ constexpr float max_skew = -0.65f;
 struct Ahead {
   Eigen::Vector3d closing;                    ///< velocity of the side face relative to it [length/time]
   Eigen::Vector3d normal;                     ///< of the other side there [1]
-  std::span<const Eigen::Vector3d> points;    ///< [length]
-  double share = 1.0;                         ///< of the strip's width that they may lie behind the rim [1]
+  double share = 1.0;                         ///< of a strip's width that it may lie behind the rim [1]
   std::span<const ContactNodeIndex> corners;  ///< contact nodes of the other side's entity
   SurfaceIndex surface;                       ///< of the other side
 };
@@ -64,8 +63,10 @@ bool is_surely_smooth(const Eigen::Vector3d& area, const Eigen::Vector3d& normal
   return along > 0.0 && along * along > more * sharpest_smooth * sharpest_smooth * area.squaredNorm();
 }
 
-/// Whether all points lie in the strip of a side face below one of its rims.
-bool lie_in_strip(const ContactStepContext& context, FaceIndex face, const Ahead& ahead) {
+/// Calls visit(strip) for the strips of a side face below its rims until that returns true; returns whether
+/// it did.
+template <class Visit>
+bool visit_strips(const ContactStepContext& context, FaceIndex face, const Ahead& ahead, const Visit& visit) {
   const ContactMesh& contact_mesh = context.kinematics.contact_mesh();
   const ContactFace& side = contact_mesh.faces[face];
   if (side.sharpness < min_rim || context.depths == nullptr) return false;
@@ -94,11 +95,27 @@ bool lie_in_strip(const ContactStepContext& context, FaceIndex face, const Ahead
       if (out.dot(ahead.normal) < max_skew) continue;  // it is the face beyond that stands on what lies ahead
       const double closed = std::max(0.0, ahead.closing.dot(out)) * context.dt;
       const double width = std::min(touched + just_flush * height + closed, height) * ahead.share;
-      const auto is_in_strip = [&](const auto& point) { return (x - point).dot(out) <= width; };
-      if (std::ranges::all_of(ahead.points, is_in_strip) && has_opposite(context, ahead, out)) return true;
+      if (visit(FlushStrip{x, out, width})) return true;
     }
   }
   return false;
+}
+
+/// A face that lies before a side face; how they close is left.
+Ahead ahead_of(const ContactStepContext& context, FaceIndex face) {
+  constexpr double centre_of_strip = 0.5;
+  const ContactFace& other = context.kinematics.contact_mesh().faces[face];
+  return {Eigen::Vector3d::Zero(), context.kinematics.bound(face).normal().cast<double>(), centre_of_strip,
+          other.corners, other.surface};
+}
+
+/// Whether all points lie in the strip of a side face below one of its rims.
+bool lie_in_strip(const ContactStepContext& context, FaceIndex face, const Ahead& ahead,
+                  std::span<const Eigen::Vector3d> points) {
+  return visit_strips(context, face, ahead, [&](const FlushStrip& strip) {
+    return std::ranges::all_of(points, [&](const auto& point) { return strip.holds(point); }) &&
+           has_opposite(context, ahead, strip.out);
+  });
 }
 
 }  // namespace
@@ -107,33 +124,34 @@ double flush_width(const ContactStepContext& context, FaceIndex face) {
   return context.depths != nullptr ? over_depth * context.depths->of(face) : 0.0;
 }
 
-bool is_at_flush_rim(const ContactStepContext& context, FaceIndex first, FaceIndex second,
-                     const FaceFaceContact& contact) {
-  const ContactFace &a_face = context.kinematics.contact_mesh().faces[first],
-                    &b_face = context.kinematics.contact_mesh().faces[second];
-  if (a_face.sharpness < min_rim && b_face.sharpness < min_rim) return false;
-  const FaceBound &a = context.kinematics.bound(first), &b = context.kinematics.bound(second);
+bool FlushStrips::hold(const FaceFaceContact& contact) {
+  const auto& faces = context_.kinematics.contact_mesh().faces;
+  if (faces[first_].sharpness < min_rim && faces[second_].sharpness < min_rim) return false;
+  const FaceBound &a = context_.kinematics.bound(first_), &b = context_.kinematics.bound(second_);
   // Only slivers: a square has twice the area of its radius squared.
   const double radius = std::min(a.radius(), b.radius());
   if (contact.area > radius * radius) return false;
   if (a.normal().dot(b.normal()) > max_skew) return false;
-  const Eigen::Vector3d centre = context.kinematics.face(first).x * contact.weights_1;
-  const Eigen::Vector3d closing = (a.velocity() - b.velocity()).cast<double>();
-  constexpr double centre_of_strip = 0.5;
-  return lie_in_strip(context, first,
-                      {closing,
-                       b.normal().cast<double>(),
-                       {&centre, 1},
-                       centre_of_strip,
-                       b_face.corners,
-                       b_face.surface}) ||
-         lie_in_strip(context, second,
-                      {-closing,
-                       a.normal().cast<double>(),
-                       {&centre, 1},
-                       centre_of_strip,
-                       a_face.corners,
-                       a_face.surface});
+  if (!are_found_) find();
+  const Eigen::Vector3d centre = context_.kinematics.face_corners(first_) * contact.weights_1;
+  return std::ranges::any_of(strips_, [&](const Strip& strip) {
+    return strip.holds(centre) && has_opposite(context_, ahead_of(context_, strip.other), strip.out);
+  });
+}
+
+void FlushStrips::find() {
+  are_found_ = true;
+  const auto velocity = [&](FaceIndex face) { return context_.kinematics.bound(face).velocity(); };
+  const auto add_strips = [&](FaceIndex side, FaceIndex other) {
+    Ahead ahead = ahead_of(context_, other);
+    ahead.closing = (velocity(side) - velocity(other)).cast<double>();
+    visit_strips(context_, side, ahead, [&](const FlushStrip& strip) {
+      strips_.push_back({strip, other});
+      return false;
+    });
+  };
+  add_strips(first_, second_);
+  add_strips(second_, first_);
 }
 
 bool is_at_flush_rim(const ContactStepContext& context, SurfaceNodeIndex row, FaceIndex face,
@@ -144,20 +162,20 @@ bool is_at_flush_rim(const ContactStepContext& context, SurfaceNodeIndex row, Fa
   if (!has_rim(face) && std::ranges::none_of(contact_mesh.faces_of_node.of(node.node), has_rim)) return false;
   const Eigen::Vector3d closing =
       context.kinematics.v(node.node) - context.kinematics.bound(face).velocity().cast<double>();
-  const FaceCorners other = context.kinematics.face(face).x;
+  const FaceCorners other = context.kinematics.face_corners(face);
   const std::array<Eigen::Vector3d, 4> corners{other.col(0), other.col(1), other.col(2), other.col(3)};
   std::vector<Eigen::Vector3d> own_points;
   for (const FaceIndex own : contact_mesh.faces_of_node.of(node.node)) {
     if (contact_mesh.faces[own].surface != node.surface) continue;
     if (!(context.kinematics.bound(own).normal().cast<double>().dot(normal) < max_skew)) continue;
     const ContactFace& opposed = contact_mesh.faces[face];
-    if (lie_in_strip(context, own, {closing, normal, corners, 1.0, opposed.corners, opposed.surface}))
+    if (lie_in_strip(context, own, {closing, normal, 1.0, opposed.corners, opposed.surface}, corners))
       return true;
     for (const ContactNodeIndex corner : contact_mesh.faces[own].corners)
       own_points.push_back(context.kinematics.x(corner));
   }
   if (own_points.empty()) own_points.push_back(context.kinematics.x(node.node));
-  return lie_in_strip(context, face, {-closing, -normal, own_points, 1.0, {&node.node, 1}, node.surface});
+  return lie_in_strip(context, face, {-closing, -normal, 1.0, {&node.node, 1}, node.surface}, own_points);
 }
 
 }  // namespace contactsim

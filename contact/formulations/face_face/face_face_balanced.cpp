@@ -24,6 +24,7 @@ void FaceFaceContacts::add_balanced_points(const ContactStepContext& context, co
   const Candidate& candidate = meeting.candidate;
   const MeetingFaces& faces = meeting.faces;
   const double held = candidate.rule.pair->held_gap(thinner(candidate));
+  FlushStrips flush_strips(context, candidate.first, candidate.second);
   for (const OverlapShare& share : found.all()) {
     const FaceFaceContact contact = contact_of(share, faces.first, faces.second);
     const Eigen::Vector3d apart =
@@ -38,8 +39,7 @@ void FaceFaceContacts::add_balanced_points(const ContactStepContext& context, co
     if (!point.pulls) {
       if (!faces.did_touch && contact.gap < 0.0 && !met_in_front(context, candidate, contact, closing))
         continue;
-      if (contact.gap < closing && is_at_flush_rim(context, candidate.first, candidate.second, contact))
-        continue;
+      if (contact.gap < closing && flush_strips.hold(contact)) continue;
     }
     points.push_back(point);
   }

@@ -28,7 +28,7 @@ void FaceFaceContacts::add_penalty_point(const ContactStepContext& context, cons
   if (contact.force > 0.0 && !faces.did_touch) {
     const double closed = -apart.dot(contact.normal) * context.dt;
     if (!met_in_front(context, candidate, contact, closed)) return;
-    if (is_at_flush_rim(context, candidate.first, candidate.second, contact)) return;
+    if (FlushStrips(context, candidate.first, candidate.second).hold(contact)) return;
   }
   ContactPoint& contact_point = points.emplace_back(make_contact_point(candidate, contact));
   contact_point.damped = contact.damped_power * context.dt;
@@ -51,7 +51,7 @@ void FaceFaceContacts::add_spring_points(const ContactStepContext& context, cons
     if (contact.gap > (point.pulls ? held : activation.near)) continue;
     if (contact.gap < 0.0 && !faces.did_touch && !point.pulls) {
       if (!met_in_front(context, candidate, contact, -apart.dot(contact.normal) * context.dt)) continue;
-      if (is_at_flush_rim(context, candidate.first, candidate.second, contact)) continue;
+      if (FlushStrips(context, candidate.first, candidate.second).hold(contact)) continue;
     }
     push_node({penalty, candidate.rule.pair->damping_fraction, contact.area, apart, context.dt, 0.0, apart,
                context.is_static},

@@ -123,7 +123,7 @@ void FaceFaceContacts::weigh_one(const ContactStepContext& context, const Candid
   if (!(overlap.weight > 0.0) || -mean.gap > overlap.penalty.depth) return;
   if (mean.gap < 0.0 && !faces.did_touch) {
     if (!met_in_front(context, candidate, mean, closed)) return;
-    if (is_at_flush_rim(context, candidate.first, candidate.second, mean)) return;
+    if (FlushStrips(context, candidate.first, candidate.second).hold(mean)) return;
   }
   for (std::size_t k = 0; k < overlap.shares.n; ++k) {
     const CountedGap gap = counted(overlap.gaps[k], open_share * thickness);

@@ -60,7 +60,14 @@ struct FlushBlocks {
     const FaceFaceContact contact =
         find_face_face_contact(parts.kinematics.face(first), parts.kinematics.face(second), penalty, 0.0);
     REQUIRE(contact.overlaps);
-    return is_at_flush_rim(context(), first, second, contact);
+    const ContactStepContext now = context();
+    FlushStrips strips(now, first, second);
+    FaceFaceContact large = contact;
+    large.area = 1e6;  // no sliver
+    CHECK_FALSE(strips.hold(large));
+    const bool holds = strips.hold(contact);
+    CHECK(strips.hold(contact) == holds);
+    return holds;
   }
 };
 
