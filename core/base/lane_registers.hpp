@@ -86,10 +86,7 @@ class MaskLanes {
   bool operator()(std::ptrdiff_t lane) const { return numbers()[static_cast<std::size_t>(lane)] != 0; }
   bool any() const {
 #ifdef __AVX512F__
-    if constexpr (sizeof(Bits) == 8) {
-      using Bytes [[gnu::vector_size(8)]] = std::int8_t;
-      return std::bit_cast<std::uint64_t>(__builtin_convertvector(lanes_, Bytes)) != 0;
-    }
+    if constexpr (width == 8) return bytes() != 0;
     return bits() != 0;
 #else
     auto either = lanes_.all[0];
@@ -99,7 +96,12 @@ class MaskLanes {
     return any != 0;
 #endif
   }
-  bool all() const { return !(!*this).any(); }
+  bool all() const {
+#ifdef __AVX512F__
+    if constexpr (width == 8) return bytes() == ~std::uint64_t{0};
+#endif
+    return !(!*this).any();
+  }
   /// The lanes as bits, the lowest for the first.
   std::uint32_t bits() const {
     std::uint32_t bits = 0;
@@ -116,6 +118,13 @@ class MaskLanes {
   }
 
  private:
+#ifdef __AVX512F__
+  /// A byte of each of eight lanes.
+  std::uint64_t bytes() const {
+    using Bytes [[gnu::vector_size(8)]] = std::int8_t;
+    return std::bit_cast<std::uint64_t>(__builtin_convertvector(lanes_, Bytes));
+  }
+#endif
   std::array<Bits, width> numbers() const { return std::bit_cast<std::array<Bits, width>>(lanes_); }
   template <class Function>
   static Registers map(const Function& f, const auto&... of) {
