@@ -4,6 +4,7 @@
 
   verify.py PROGRAM [CASE ...]   run the cases (the short ones by default); fails when a number misses
   verify.py PROGRAM --table      write decks/VALIDATION.md from all cases and the refined meshes
+  verify.py PROGRAM --table CASE ...   the rows of these cases alone; those of the others stay
   verify.py --list {short|long}  the names of the cases
   verify.py --keep FOLDER PROGRAM CASE ...   as the first, with the runs left in the folder
 
@@ -81,21 +82,30 @@ def refined_rows_of(program, name, refinement):
     return [f"| {name} | {refinement} | {check.short_row()} |" for check in checks if "balance" not in check.quantity]
 
 
-def write_table(program):
+def write_table(program, names):
+    path = HERE.parent / "VALIDATION.md"
+    before = path.read_text().split("\n## Refined meshes\n") if names else ["", ""]
+    names = names or list(CASES)
+
+    def rows_before(part, name):
+        return [line for line in before[part].splitlines() if line.startswith(f"| {name} |")]
+
     lines = ["# Verification", "", "What the decks of `decks/verification` should reach and do. Errors are relative. What",
              "misses its tolerance is marked; the head of the deck says why. Made by `decks/verification/verify.py PROGRAM --table`.", "",
              "| case | quantity | expected | reached | error | tolerance |", "| --- | --- | --- | --- | --- | --- |"]
     with ProcessPoolExecutor() as processes:  # a case a processor
-        rows = [processes.submit(rows_of, program, name) for name in CASES]
-        refined = [processes.submit(refined_rows_of, program, name, refinement)
-                   for name, case in CASES.items() for refinement in case.refined]
-        lines += [row for case in rows for row in case.result()]
+        rows = {name: processes.submit(rows_of, program, name) for name in CASES if name in names}
+        refined = {name: [processes.submit(refined_rows_of, program, name, refinement) for refinement in CASES[name].refined]
+                   for name in rows}
+        for name in CASES:
+            lines += rows[name].result() if name in rows else rows_before(0, name)
         lines += ["", "## Refined meshes", "",
                   "The first quantities of a case by its number of elements: along bars, over the beam's thickness, through the",
                   "wall, across the core of the rod or ball.", "", "| case | elements | quantity | expected | reached | error |",
                   "| --- | --- | --- | --- | --- | --- |"]
-        lines += [row for case in refined for row in case.result()]
-    (HERE.parent / "VALIDATION.md").write_text("\n".join(lines) + "\n")
+        for name in CASES:
+            lines += [row for case in refined[name] for row in case.result()] if name in rows else rows_before(1, name)
+    path.write_text("\n".join(lines) + "\n")
     return 0
 
 
@@ -108,8 +118,8 @@ def main(arguments):
     if not arguments or arguments[0].startswith("--"):
         sys.exit(__doc__)
     program = str(Path(arguments[0]).resolve())
-    if arguments[1:] == ["--table"]:
-        return write_table(program)
+    if arguments[1:2] == ["--table"]:
+        return write_table(program, arguments[2:])
     return run_cases(program, arguments[1:] or [name for name, case in CASES.items() if not case.is_long])
 
 
