@@ -3,6 +3,7 @@
 
 #include <Eigen/Geometry>
 #include <random>
+#include <vector>
 
 #include "contact/geometry/face_face.hpp"
 
@@ -75,6 +76,22 @@ inline MovingFace renumbered(const MovingFace& face) {
     v.col(k) = face.v.col((std::min(k, n - 1) + 1) % n);
   }
   return make_face(x, v);
+}
+
+/// The faces of eight pairs that may overlap, triangles and quadrilaterals in turns.
+struct FacesOfPairs {
+  std::vector<MovingFace> first, second;
+};
+
+///   turn    which of them are triangles
+///   lowest, highest  between which heights the second ones stand over the first [length]
+inline FacesOfPairs random_pairs(Random& random, int turn, double lowest, double highest) {
+  FacesOfPairs faces;
+  for (int k = 0; k < n_lanes; ++k) {
+    faces.first.push_back(random_face(random, (turn + k) % 3 == 0, true, 0.0));
+    faces.second.push_back(random_face(random, (turn + k) % 4 == 0, false, uniform(random, lowest, highest)));
+  }
+  return faces;
 }
 
 }  // namespace contactsim::test

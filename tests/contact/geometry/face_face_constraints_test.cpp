@@ -115,12 +115,8 @@ TEST_CASE("constraints of eight pairs are those of each pair alone", "[contact][
   Random random(22);
   std::size_t n_points = 0;
   for (int i = 0; i < 30; ++i) {
-    std::vector<MovingFace> first, second;
-    for (int k = 0; k < n_lanes; ++k) {
-      first.push_back(random_face(random, (i + k) % 3 == 0, true, 0.0));
-      second.push_back(random_face(random, (i + k) % 4 == 0, false, uniform(random, -0.1, 0.1)));
-      if (k == 2) second.back().x.row(1).array() += 0.8;  // a small overlap
-    }
+    auto [first, second] = random_pairs(random, i, -0.1, 0.1);
+    second[2].x.row(1).array() += 0.8;  // a small overlap
     std::vector<ConstrainedFaces> pairs;
     for (std::size_t k = 0; k < n_lanes; ++k) {
       const double closes = 0.005 * static_cast<double>(k);

@@ -52,7 +52,7 @@ TEST_CASE("what is true of lanes becomes bits, and nothing is of what is not a n
 }
 
 TEST_CASE("the taxicab length of vectors is no less than their length", "[contact][float_lanes]") {
-  const VectorLanes v = VectorLanes::all({3.0f, -4.0f, 12.0f});
+  const VectorLanes v = VectorLanes::all(Eigen::Vector3f(3.0f, -4.0f, 12.0f));
   CHECK(taxicab(v)[7] == 19.0f);
   CHECK(v.dot(v)[7] == 169.0f);
 }

@@ -167,13 +167,9 @@ TEST_CASE("gaps at the corners of an overlap are those of the faces, warped or n
 TEST_CASE("polygons of eight pairs are those of each pair alone", "[contact][overlap_polygons]") {
   Random random(8);
   for (int i = 0; i < 20; ++i) {
-    std::vector<MovingFace> first, second;
+    auto [first, second] = random_pairs(random, i, 0.04, 0.06);
+    second[3].x.row(0).array() += 5.0;  // beside the first
     std::vector<FacePair> pairs;
-    for (int k = 0; k < n_lanes; ++k) {
-      first.push_back(random_face(random, (i + k) % 3 == 0, true, 0.0));
-      second.push_back(random_face(random, (i + k) % 4 == 0, false, 0.05));
-      if (k == 3) second.back().x.row(0).array() += 5.0;  // beside the first
-    }
     for (std::size_t k = 0; k < n_lanes; ++k) pairs.push_back({&first[k], &second[k]});
     const ProjectedPairs projected(pairs);
     const LaneMask wanted = !first_lanes(1);
