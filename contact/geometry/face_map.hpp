@@ -51,14 +51,15 @@ inline FaceMap make_face_map(const FaceCorners& x, bool is_triangle) {
   return {quadrilateral_map<Vector>(x.col(0), x.col(1), x.col(2), x.col(3)), false};
 }
 
-/// What eight faces have at their corners, as functions on them; see FaceMap.
-///   Value  DoubleVectors or Lanes
-template <class Value>
-std::array<Value, 4> make_functions(const std::array<Value, 4>& f, const LaneMask& are_triangles) {
+/// What faces have at their corners, as functions on them; see FaceMap.
+///   Value  a vector or a number, of one face or of eight
+///   Mask   of as many
+template <class Value, class Mask>
+std::array<Value, 4> make_functions(const std::array<Value, 4>& f, const Mask& is_triangle) {
   std::array<Value, 4> c = quadrilateral_map(f[0], f[1], f[2], f[3]);
-  if (!are_triangles.any()) return c;
+  if (!any(is_triangle)) return c;
   const std::array<Value, 4> of_triangles = triangle_map(f[0], f[1], f[2], Value{});
-  for (std::size_t k = 0; k < 4; ++k) c[k] = select(are_triangles, of_triangles[k], c[k]);
+  for (std::size_t k = 0; k < 4; ++k) c[k] = select(is_triangle, of_triangles[k], c[k]);
   return c;
 }
 

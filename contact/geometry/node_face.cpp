@@ -10,76 +10,32 @@ namespace contactsim {
 
 namespace {
 
-// One set of formulas for a number of one pair, a double, and for those of eight, Lanes.
-
 using std::abs;
-using std::sqrt;
 Lanes abs(const Lanes& a) { return a.abs(); }
-Lanes sqrt(const Lanes& a) { return a.sqrt(); }
-bool any(bool holds) { return holds; }
-bool any(const LaneMask& holds) { return holds.any(); }
-double select(bool holds, double where_it_holds, double elsewhere) {
-  return holds ? where_it_holds : elsewhere;
-}
-using contactsim::select;
 
 template <class Number>
 using Truth = decltype(Number() < Number());
 
 template <class Number>
-using Vector = std::array<Number, 3>;
+using Vector = LaneVector<Number>;
 
+/// See FaceMap.
 template <class Number>
-Number inner_product(const Vector<Number>& a, const Vector<Number>& b) {
-  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
-
-template <class Number>
-Vector<Number> difference(const Vector<Number>& a, const Vector<Number>& b) {
-  return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
-}
-
-/// The map of a face by components.
-template <class Number>
-struct ComponentMap {
-  Vector<std::array<Number, 4>> c;
+struct MapOf {
+  std::array<Vector<Number>, 4> c;
 
   Vector<Number> at(const Number& xi, const Number& eta) const {
-    const Number xi_eta = xi * eta;
-    const auto component = [&](std::size_t i) {
-      return c[i][0] + xi * c[i][1] + eta * c[i][2] + xi_eta * c[i][3];
-    };
-    return {component(0), component(1), component(2)};
+    return c[0] + xi * c[1] + eta * c[2] + (xi * eta) * c[3];
   }
   /// The tangents at a point: derivatives by xi and by eta.
-  Vector<Number> tangent_xi(const Number& eta) const { return sum_of<1>(eta); }
-  Vector<Number> tangent_eta(const Number& xi) const { return sum_of<2>(xi); }
-  Vector<Number> twist() const { return {c[0][3], c[1][3], c[2][3]}; }
-
- private:
-  template <std::size_t k>
-  Vector<Number> sum_of(const Number& other) const {
-    return {c[0][k] + other * c[0][3], c[1][k] + other * c[1][3], c[2][k] + other * c[2][3]};
-  }
+  Vector<Number> tangent_xi(const Number& eta) const { return c[1] + eta * c[3]; }
+  Vector<Number> tangent_eta(const Number& xi) const { return c[2] + xi * c[3]; }
 };
-
-/// The map that takes the values of corners [component][corner].
-template <class Number>
-ComponentMap<Number> make_map(const Vector<std::array<Number, 4>>& x, const Truth<Number>& is_triangle) {
-  ComponentMap<Number> map;
-  for (std::size_t i = 0; i < 3; ++i) map.c[i] = quadrilateral_map(x[i][0], x[i][1], x[i][2], x[i][3]);
-  if (!any(is_triangle)) return map;
-  for (std::size_t i = 0; i < 3; ++i) {
-    const auto of_triangle = triangle_map<Number>(x[i][0], x[i][1], x[i][2], 0.0);
-    for (std::size_t k = 0; k < 4; ++k) map.c[i][k] = select(is_triangle, of_triangle[k], map.c[i][k]);
-  }
-  return map;
-}
 
 /// The coordinates at which the vector to the point stands upright on the face; returns whether there are
 /// such. Lanes that have converged, or have nothing to converge to, wait for the others.
 template <class Number>
-Truth<Number> find_closest_point(const ComponentMap<Number>& map, const Vector<Number>& point, Number& xi,
+Truth<Number> find_closest_point(const MapOf<Number>& map, const Vector<Number>& point, Number& xi,
                                  Number& eta) {
   constexpr int max_iterations = 20;
   constexpr double accuracy =
@@ -87,11 +43,9 @@ Truth<Number> find_closest_point(const ComponentMap<Number>& map, const Vector<N
   constexpr double far_away = 10.0;  // such points project inside other faces
   Truth<Number> found(true), goes_on(true);
   for (int i = 0; i < max_iterations && any(goes_on); ++i) {
-    const Vector<Number> a = map.tangent_xi(eta), b = map.tangent_eta(xi),
-                         away = difference(point, map.at(xi, eta));
-    const Number aa = inner_product(a, a), bb = inner_product(b, b),
-                 ab = inner_product(a, b) - inner_product(away, map.twist());
-    const Number ra = inner_product(away, a), rb = inner_product(away, b), det = aa * bb - ab * ab;
+    const Vector<Number> a = map.tangent_xi(eta), b = map.tangent_eta(xi), away = point - map.at(xi, eta);
+    const Number aa = a.dot(a), bb = b.dot(b), ab = a.dot(b) - away.dot(map.c[3]);
+    const Number ra = away.dot(a), rb = away.dot(b), det = aa * bb - ab * ab;
     const Number d_xi = (ra * bb - rb * ab) / det, d_eta = (rb * aa - ra * ab) / det;
     xi = select(goes_on, xi + d_xi, xi);
     eta = select(goes_on, eta + d_eta, eta);
@@ -172,26 +126,24 @@ struct Found {
   template <class Get>
   std::optional<ClosestPoint> closest_point(const Get& get) const {
     if (!get(exists)) return std::nullopt;
-    return ClosestPoint{get(xi),  get(eta),    {get(normal[0]), get(normal[1]), get(normal[2])},
+    return ClosestPoint{get(xi),  get(eta),    {get(normal.x), get(normal.y), get(normal.z)},
                         get(gap), get(beyond), edge_of(get(edge))};
   }
 };
 
 template <class Number>
-Found<Number> project_onto(const Vector<std::array<Number, 4>>& x, const Truth<Number>& is_triangle,
+Found<Number> project_onto(const std::array<Vector<Number>, 4>& x, const Truth<Number>& is_triangle,
                            const Vector<Number>& point) {
-  const ComponentMap<Number> map = make_map<Number>(x, is_triangle);
+  const MapOf<Number> map{make_functions(x, is_triangle)};
   Number xi = 0.0, eta = 0.0;
   const Truth<Number> exists = find_closest_point(map, point, xi, eta);
-  const Vector<Number> closest = map.at(xi, eta), a = map.tangent_xi(eta), b = map.tangent_eta(xi);
-  const Vector<Number> area{a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
-  const Number square = inner_product(area, area), length = select(square > 0.0, sqrt(square), 1.0);
-  const Vector<Number> normal{area[0] / length, area[1] / length, area[2] / length};
+  const Vector<Number> closest = map.at(xi, eta);
+  const Vector<Number> normal = normalized(map.tangent_xi(eta).cross(map.tangent_eta(xi)));
   Number xi_inside = xi, eta_inside = eta;
   const Number edge = move_inside_face<Number>(is_triangle, xi_inside, eta_inside);
-  const Vector<Number> way = difference(closest, map.at(xi_inside, eta_inside));
-  const Number beyond = select(edge < 0.0, 0.0, sqrt(inner_product(way, way)));
-  return {exists, xi, eta, normal, inner_product(difference(point, closest), normal), beyond, edge};
+  const Vector<Number> way = closest - map.at(xi_inside, eta_inside);
+  const Number beyond = select(edge < 0.0, 0.0, square_root(way.dot(way)));
+  return {exists, xi, eta, normal, (point - closest).dot(normal), beyond, edge};
 }
 
 }  // namespace
@@ -202,30 +154,24 @@ OptionalIndex<std::uint32_t> move_inside(bool is_triangle, double& xi, double& e
 
 std::optional<ClosestPoint> project_onto_face(const FaceCorners& x, bool is_triangle,
                                               const Eigen::Vector3d& point) {
-  Vector<std::array<double, 4>> corners;
-  for (Eigen::Index i = 0; i < 3; ++i) {
-    for (Eigen::Index k = 0; k < 4; ++k)
-      corners[static_cast<std::size_t>(i)][static_cast<std::size_t>(k)] = x(i, k);
-  }
-  const auto found = project_onto<double>(corners, is_triangle, {point[0], point[1], point[2]});
+  const auto corner = [&](Eigen::Index k) { return Vector<double>::all(x.col(k)); };
+  const auto found = project_onto<double>({corner(0), corner(1), corner(2), corner(3)}, is_triangle,
+                                          Vector<double>::all(point));
   return found.closest_point([](auto number) { return number; });
 }
 
 void ProjectionLanes::add(const FaceCorners& x, bool is_triangle, const Eigen::Vector3d& point) {
   const bool is_first = n_ == 0;
   const auto lane = static_cast<Eigen::Index>(n_++);
-  const auto put = [&](double number, Lanes& lanes) {
+  const auto put = [&](const Eigen::Vector3d& vector, DoubleVectors& lanes) {
     if (is_first) {
-      lanes.setConstant(number);
+      lanes = DoubleVectors::all(vector);
     } else {
-      lanes(lane) = number;
+      set_lane(lane, vector, lanes);
     }
   };
-  for (Eigen::Index i = 0; i < 3; ++i) {
-    const auto axis = static_cast<std::size_t>(i);
-    for (Eigen::Index k = 0; k < 4; ++k) put(x(i, k), corners_[axis][static_cast<std::size_t>(k)]);
-    put(point[i], points_[axis]);
-  }
+  for (std::size_t k = 0; k < 4; ++k) put(x.col(static_cast<Eigen::Index>(k)), corners_[k]);
+  put(point, points_);
   const unsigned lanes = is_first ? ~0u : 1u << lane;
   triangles_ = (triangles_ & ~lanes) | (is_triangle ? lanes : 0u);
 }

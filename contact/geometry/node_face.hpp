@@ -39,8 +39,8 @@ class ProjectionLanes {
   std::array<std::optional<ClosestPoint>, n_lanes> project() const;
 
  private:
-  std::array<std::array<Lanes, 4>, 3> corners_;  // lanes that are not filled have what the first one has
-  std::array<Lanes, 3> points_;
+  CornersOfFaces corners_;  // lanes that are not filled have what the first one has
+  DoubleVectors points_;
   unsigned triangles_ = 0;  // as bits
   std::size_t n_ = 0;
 };
