@@ -11,7 +11,7 @@
 #include "contact/mesh/contact_remap.hpp"
 #include "contact/mesh/surface_turns.hpp"
 #include "core/base/optional_index.hpp"
-#include "core/elements/gather.hpp"
+#include "core/elements/node_vector.hpp"
 
 namespace contactsim {
 

@@ -14,7 +14,7 @@
 #include "core/base/optional_index.hpp"
 #include "core/dynamics/model.hpp"
 #include "core/dynamics/state.hpp"
-#include "core/elements/gather.hpp"
+#include "core/elements/node_vector.hpp"
 
 namespace contactsim {
 

@@ -6,7 +6,7 @@
 #include <cstring>
 #include <limits>
 
-#include "core/elements/gather.hpp"
+#include "core/base/fours.hpp"
 
 namespace contactsim {
 
@@ -28,30 +28,11 @@ Lanes lanes_of(const PointCarriers::Weights& weights) {
 }
 
 /// The components along the normal of a group of vectors of its carriers.
-///   vectors  [n_carriers], their fourth numbers are 0
+///   vectors  [n_carriers]
 template <class Group>
 Lanes along_normal(const Group& group, std::span<const NodeVector> vectors) {
-  Four normal;
-  std::memcpy(&normal, group.normal.data(), sizeof(normal));
-  const Eight normals = __builtin_shufflevector(normal, normal, 0, 1, 2, 3, 4, 5, 6, 7);
-  Eight products[4];  // of neighbouring carriers: x y z 0 x y z 0
-  for (std::size_t k = 0; k < 4; ++k) {
-    Four first, second;
-    std::memcpy(&first, vectors[group.carriers[2 * k]].data(), sizeof(first));
-    std::memcpy(&second, vectors[group.carriers[2 * k + 1]].data(), sizeof(second));
-    products[k] = __builtin_shufflevector(first, second, 0, 1, 2, 3, 4, 5, 6, 7) * normals;
-  }
-  const auto add_neighbours = [](const Eight& a, const Eight& b) {
-    return __builtin_shufflevector(a, b, 0, 8, 2, 10, 4, 12, 6, 14) +
-           __builtin_shufflevector(a, b, 1, 9, 3, 11, 5, 13, 7, 15);
-  };
-  const Eight front = add_neighbours(products[0], products[1]),
-              back = add_neighbours(products[2], products[3]);
-  const Eight sums = __builtin_shufflevector(front, back, 0, 4, 1, 5, 8, 12, 9, 13) +
-                     __builtin_shufflevector(front, back, 2, 6, 3, 7, 10, 14, 11, 15);
-  Lanes lanes;
-  std::memcpy(lanes.data(), &sums, sizeof(sums));
-  return lanes;
+  const auto [x, y, z] = to_lanes([&](std::size_t term) { return vectors[group.carriers[term]].data(); });
+  return group.normal[0] * x + group.normal[1] * y + group.normal[2] * z;
 }
 
 /// The areas of the points of a group by its carriers.

@@ -2,9 +2,8 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <cstring>
 
-#include "core/elements/gather.hpp"
+#include "core/base/fours.hpp"
 
 namespace contactsim {
 
@@ -15,13 +14,14 @@ using NodeGroup = Eigen::Array<double, group_size, 1>;
 /// What eight nodes have each, once for every component of their vectors.
 ///   of_nodes  [nodes_per_group]
 inline NodeGroup repeat_thrice(const double* of_nodes) {
-  Eight each;
-  std::memcpy(&each, of_nodes, sizeof each);
-  const Eight thirds[3] = {__builtin_shufflevector(each, each, 0, 0, 0, 1, 1, 1, 2, 2),
-                           __builtin_shufflevector(each, each, 2, 3, 3, 3, 4, 4, 4, 5),
-                           __builtin_shufflevector(each, each, 5, 5, 6, 6, 6, 7, 7, 7)};
   NodeGroup group;
-  std::memcpy(group.data(), thirds, sizeof thirds);
+  for (Eigen::Index half = 0; half < 2; ++half, of_nodes += 4) {
+    const Four each = load_four(of_nodes);
+    double* const thrice = group.data() + half * group_size / 2;
+    store_four(thrice, __builtin_shufflevector(each, each, 0, 0, 0, 1));
+    store_four(thrice + 4, __builtin_shufflevector(each, each, 1, 1, 2, 2));
+    store_four(thrice + 8, __builtin_shufflevector(each, each, 2, 3, 3, 3));
+  }
   return group;
 }
 

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "core/elements/chunk_vectors.hpp"
 #include "core/elements/element_death_mask.hpp"
 #include "core/elements/element_table.hpp"
 #include "core/elements/fetch_ahead.hpp"
@@ -18,21 +19,6 @@
 namespace contactsim {
 
 namespace batches {
-
-/// The vectors at the nodes of a chunk of elements of up to so many nodes.
-template <std::size_t n_element_nodes = 8>
-class ChunkVectors {
- public:
-  ///   nodes   of the mesh
-  ///   values  [3 x n_nodes]
-  ChunkVectors(std::span<const std::uint32_t> nodes, const Eigen::Matrix3Xd& values) {
-    for (std::size_t i = 0; i < nodes.size(); ++i) vectors_[i] << values.col(nodes[i]), 0.0;
-  }
-  const NodeVector* data() const { return vectors_.data(); }
-
- private:
-  std::array<NodeVector, ModelBlock::batches_per_chunk * n_lanes * n_element_nodes> vectors_;
-};
 
 /// The step of no element.
 inline ChunkStep no_step() {
@@ -82,10 +68,12 @@ void add_lanes(const SolidStep<n>& step, std::size_t first_element, std::size_t 
 template <class Element>
 void volumes(const ModelBlock& block, const BatchChunk& chunk, const Eigen::Matrix3Xd& coordinates,
              std::span<Lanes> volumes) {
-  const ChunkVectors<std::max<std::size_t>(8, Element::n_nodes)> x(block.nodes_of(chunk), coordinates);
+  constexpr std::size_t n = Element::n_nodes;
+  const ChunkVectors<1, std::max<std::size_t>(8, n)> vectors(block.nodes_of(chunk), coordinates);
   for (std::size_t i = chunk.first_batch; i < chunk.first_batch + chunk.n_batches; ++i) {
-    const ChunkNode* nodes = block.nodes.data() + i * Element::n_nodes * n_lanes;
-    volumes[i] = Element::volume(gather<Element::n_nodes>(nodes, x.data()));
+    NodeVectors<n> x;
+    vectors.gather(block.nodes.data() + i * n * n_lanes, x);
+    volumes[i] = Element::volume(x);
   }
 }
 
@@ -93,8 +81,8 @@ template <class Element>
 ChunkStep advance(const ModelBlock& block, const BatchChunk& chunk, const Motion& motion,
                   ModelBlockState& state) {
   constexpr std::size_t n = Element::n_nodes;
-  using Vectors = ChunkVectors<std::max<std::size_t>(8, n)>;
-  const Vectors x(block.nodes_of(chunk), motion.coordinates), v(block.nodes_of(chunk), motion.velocity);
+  const ChunkVectors<2, std::max<std::size_t>(8, n)> vectors(block.nodes_of(chunk), motion.coordinates,
+                                                             motion.velocity);
   NodeVector* forces = state.forces.data() + chunk.first_node;
   std::fill_n(forces, chunk.n_nodes, NodeVector::Zero());
   ChunkStep sums = no_step();
@@ -103,8 +91,10 @@ ChunkStep advance(const ModelBlock& block, const BatchChunk& chunk, const Motion
     if (!mask.begin(i)) continue;
     fetch_ahead(block, chunk, i, state, {&motion.coordinates, &motion.velocity});
     const ChunkNode* nodes = block.nodes.data() + i * n * n_lanes;
-    SolidMotion<n> solid_motion{gather<n>(nodes, x.data()), gather<n>(nodes, v.data()), block.mass[i],
-                                motion.dt};
+    SolidMotion<n> solid_motion;
+    vectors.gather(nodes, solid_motion.x, solid_motion.v);
+    solid_motion.mass = block.mass[i];
+    solid_motion.dt = motion.dt;
     mask.place(solid_motion.x);
     mask.stop(solid_motion.v);
     const std::span<Lanes> values = state.batch(block.layout, i);

@@ -11,8 +11,8 @@
 #include "core/elements/cohesive_parts.hpp"
 #include "core/elements/discrete_parts.hpp"
 #include "core/elements/element_properties.hpp"
-#include "core/elements/gather.hpp"
 #include "core/elements/node_sums.hpp"
+#include "core/elements/node_vector.hpp"
 #include "core/elements/shell_settings.hpp"
 #include "core/mesh/mesh.hpp"
 

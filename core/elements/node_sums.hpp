@@ -8,7 +8,7 @@
 
 #include "core/base/indices.hpp"
 #include "core/base/node_ranges.hpp"
-#include "core/elements/gather.hpp"
+#include "core/elements/node_vector.hpp"
 
 namespace contactsim {
 

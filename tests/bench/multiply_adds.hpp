@@ -2,13 +2,12 @@
 #pragma once
 
 #include <cstddef>
-#include <cstring>
-
-#include "core/elements/gather.hpp"
 
 /// Loops that a compiler can make no shorter, over the vectors that kernels work with. Each stands in a
 /// source of its own because flags decide whether x * m + a is one operation or two.
 namespace contactsim::bench {
+
+using Eight [[gnu::vector_size(8 * sizeof(double))]] = double;
 
 /// Independent chains that hide the latency of each other's operations.
 inline constexpr std::size_t n_chains = 12;

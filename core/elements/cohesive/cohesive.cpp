@@ -122,7 +122,7 @@ template <class Element>
 ChunkStep advance_cohesive(const ModelBlock& block, const BatchChunk& chunk, const Motion& motion,
                            ModelBlockState& state) {
   constexpr std::size_t n = Element::n_nodes;
-  const batches::ChunkVectors x(block.nodes_of(chunk), motion.coordinates);
+  const batches::ChunkVectors vectors(block.nodes_of(chunk), motion.coordinates);
   NodeVector* forces = state.forces.data() + chunk.first_node;
   std::fill_n(forces, chunk.n_nodes, NodeVector::Zero());
   ChunkStep sums = batches::no_step();
@@ -130,7 +130,8 @@ ChunkStep advance_cohesive(const ModelBlock& block, const BatchChunk& chunk, con
   for (std::size_t i = chunk.first_batch; i < chunk.first_batch + chunk.n_batches; ++i) {
     if (!mask.begin(i)) continue;
     const ChunkNode* nodes = block.nodes.data() + i * n * n_lanes;
-    NodeVectors<n> at = gather<n>(nodes, x.data());
+    NodeVectors<n> at;
+    vectors.gather(nodes, at);
     mask.place(at);
     const std::span<Lanes> values = state.batch(block.layout, i);
     mask.keep(values);
@@ -144,7 +145,7 @@ ChunkStep advance_cohesive(const ModelBlock& block, const BatchChunk& chunk, con
     batches::apply_mask(mask, values, step);
     values.back() += step.stress_work;
     const auto n_used = std::min<std::size_t>(n_lanes, block.n_elements - i * n_lanes);
-    scatter_add(step.force, nodes, n_used, forces);
+    batches::scatter_add(step.force, nodes, n_used, forces);
     batches::add_lanes(step, i * n_lanes, n_used, sums);
   }
   return sums;

@@ -59,10 +59,11 @@ namespace batches {
 
 inline void line_volumes(const ModelBlock& block, const BatchChunk& chunk,
                          const Eigen::Matrix3Xd& coordinates, std::span<Lanes> volumes) {
-  const ChunkVectors x(block.nodes_of(chunk), coordinates);
+  const ChunkVectors vectors(block.nodes_of(chunk), coordinates);
   for (std::size_t i = chunk.first_batch; i < chunk.first_batch + chunk.n_batches; ++i) {
-    const ChunkNode* nodes = block.nodes.data() + i * 2 * n_lanes;
-    volumes[i] = LineGeometry(gather<2>(nodes, x.data())).length * block.section[i];
+    NodeVectors<2> x;
+    vectors.gather(block.nodes.data() + i * 2 * n_lanes, x);
+    volumes[i] = LineGeometry(x).length * block.section[i];
   }
 }
 
@@ -82,9 +83,8 @@ inline void apply_mask(bool has_rotations, ElementDeathMask& mask, std::span<Lan
 template <class Line>
 ChunkStep advance_lines(const ModelBlock& block, const BatchChunk& chunk, const Motion& motion,
                         ModelBlockState& state) {
-  const auto numbers = block.nodes_of(chunk);
-  const ChunkVectors x(numbers, motion.coordinates), v(numbers, motion.velocity);
-  const ChunkVectors w(numbers, Line::has_rotations ? *motion.angular_velocity : motion.velocity);
+  const ChunkVectors vectors(block.nodes_of(chunk), motion.coordinates, motion.velocity,
+                             Line::has_rotations ? *motion.angular_velocity : motion.velocity);
   NodeVector* forces = state.forces.data() + chunk.first_node;
   std::fill_n(forces, chunk.n_nodes, NodeVector::Zero());
   if (Line::has_rotations)
@@ -94,14 +94,12 @@ ChunkStep advance_lines(const ModelBlock& block, const BatchChunk& chunk, const 
   for (std::size_t i = chunk.first_batch; i < chunk.first_batch + chunk.n_batches; ++i) {
     if (!mask.begin(i)) continue;
     const ChunkNode* nodes = block.nodes.data() + i * 2 * n_lanes;
-    const Lanes inertia = Line::has_rotations ? block.inertia[i] : Lanes::Zero();
-    LineMotion line_motion{gather<2>(nodes, x.data()),
-                           gather<2>(nodes, v.data()),
-                           gather<2>(nodes, w.data()),
-                           block.mass[i],
-                           inertia,
-                           motion.dt,
-                           motion.time};
+    LineMotion line_motion;
+    vectors.gather(nodes, line_motion.x, line_motion.v, line_motion.w);
+    line_motion.mass = block.mass[i];
+    line_motion.inertia = Line::has_rotations ? block.inertia[i] : Lanes::Zero();
+    line_motion.dt = motion.dt;
+    line_motion.time = motion.time;
     mask.place(line_motion.x);
     mask.stop(line_motion.v);
     mask.stop(line_motion.w);

@@ -13,10 +13,11 @@ template <class Geometry>
 void shell_volumes(const ModelBlock& block, const BatchChunk& chunk, const Eigen::Matrix3Xd& coordinates,
                    std::span<Lanes> volumes) {
   constexpr std::size_t n = Geometry::n_nodes;
-  const ChunkVectors x(block.nodes_of(chunk), coordinates);
+  const ChunkVectors vectors(block.nodes_of(chunk), coordinates);
   for (std::size_t i = chunk.first_batch; i < chunk.first_batch + chunk.n_batches; ++i) {
-    const ChunkNode* nodes = block.nodes.data() + i * n * n_lanes;
-    volumes[i] = Geometry(gather<n>(nodes, x.data())).area() * block.thickness[i];
+    NodeVectors<n> x;
+    vectors.gather(block.nodes.data() + i * n * n_lanes, x);
+    volumes[i] = Geometry(x).area() * block.thickness[i];
   }
 }
 
@@ -51,9 +52,8 @@ template <class Geometry>
 ChunkStep advance_shells(const ModelBlock& block, const BatchChunk& chunk, const Motion& motion,
                          ModelBlockState& state) {
   constexpr std::size_t n = Geometry::n_nodes;
-  const auto numbers = block.nodes_of(chunk);
-  const ChunkVectors x(numbers, motion.coordinates), v(numbers, motion.velocity);
-  const ChunkVectors w(numbers, Geometry::has_rotations ? *motion.angular_velocity : motion.velocity);
+  const ChunkVectors vectors(block.nodes_of(chunk), motion.coordinates, motion.velocity,
+                             Geometry::has_rotations ? *motion.angular_velocity : motion.velocity);
   NodeVector* forces = state.forces.data() + chunk.first_node;
   NodeVector* moments = Geometry::has_rotations ? state.moments.data() + chunk.first_node : nullptr;
   std::fill_n(forces, chunk.n_nodes, NodeVector::Zero());
@@ -64,13 +64,12 @@ ChunkStep advance_shells(const ModelBlock& block, const BatchChunk& chunk, const
     if (!mask.begin(i)) continue;
     const ChunkNode* nodes = block.nodes.data() + i * n * n_lanes;
     const std::span<Lanes> values = state.batch(block.layout, i);
-    ShellMotion<n> shell_motion{gather<n>(nodes, x.data()),
-                                gather<n>(nodes, v.data()),
-                                gather<n>(nodes, w.data()),
-                                block.mass[i],
-                                inertia_of_shells<Geometry>(block, i),
-                                block.thickness[i] * (1.0 + values[block.thickness_growth()]),
-                                motion.dt};
+    ShellMotion<n> shell_motion;
+    vectors.gather(nodes, shell_motion.x, shell_motion.v, shell_motion.w);
+    shell_motion.mass = block.mass[i];
+    shell_motion.inertia = inertia_of_shells<Geometry>(block, i);
+    shell_motion.thickness = block.thickness[i] * (1.0 + values[block.thickness_growth()]);
+    shell_motion.dt = motion.dt;
     mask.place(shell_motion.x);
     mask.stop(shell_motion.v);
     mask.stop(shell_motion.w);
