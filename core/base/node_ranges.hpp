@@ -58,6 +58,17 @@ class NodeRanges {
     });
   }
 
+  /// The same of a stretch of nodes.
+  template <class Function>
+  void visit_in(const NodeRange& list, const Function& function) const {
+    const auto n = static_cast<std::size_t>(list.end - list.begin);
+    if (are_all_) return parallel_for(n, threads_for(n), function);
+    visit([&](std::int64_t begin, std::int64_t end) {
+      for (std::int64_t node = std::max(begin, list.begin); node < std::min(end, list.end); ++node)
+        function(static_cast<std::size_t>(node - list.begin));
+    });
+  }
+
   /// Sets values to zero.
   ///   values  [3 x n_nodes]
   void set_zero(Eigen::Matrix3Xd& values) const {

@@ -155,9 +155,8 @@ void ExternalForceMaker::add(const Pressure& pressure) {
   find_faces_of(pressure.set, label, load);
   MeshVariable variable = pressure.variable;
   if (!variable.object) variable.object = MeshVariable::Object::face;
-  const auto nodes = load.sums.nodes();
   const auto values =
-      find_condition_values(pressure.function, variable, {{}, {nodes.begin(), nodes.end()}, label}, scope_);
+      find_condition_values(pressure.function, variable, {{}, load.sums.nodes(), label}, scope_);
   if (!values) return;
   load.value = values->front();
   made_.add(std::move(load));

@@ -10,11 +10,17 @@ NodeSums::NodeSums(std::span<const std::uint32_t> nodes, std::size_t n_nodes) : 
   for (const std::uint32_t node : nodes) ++next[node + 1];
   const auto n_used = static_cast<std::size_t>(
       std::count_if(next.begin(), next.end(), [](std::uint32_t n_places) { return n_places > 0; }));
-  nodes_.reserve(n_used);
+  const auto first =
+      std::find_if(next.begin(), next.end(), [](std::uint32_t n_places) { return n_places > 0; });
+  const bool are_apart = std::any_of(first, first + static_cast<std::ptrdiff_t>(n_used),
+                                     [](std::uint32_t n_places) { return n_places == 0; });
+  if (n_used > 0) first_node_ = static_cast<std::uint32_t>(first - next.begin()) - 1;
+  if (are_apart) nodes_.reserve(n_used);
+  begin_.clear();
   begin_.reserve(n_used + 1);
   for (std::uint32_t node = 0; node < n_nodes; ++node) {
     if (next[node + 1] > 0) {
-      nodes_.push_back({node});
+      if (are_apart) nodes_.push_back({node});
       begin_.push_back(next[node]);
     }
     next[node + 1] += next[node];
@@ -40,6 +46,12 @@ NodeSums::NodeSums(std::span<const std::uint32_t> nodes, std::size_t n_nodes,
   for (std::uint32_t& place : places_) place = places[place];
 }
 
+std::vector<NodeIndex> NodeSums::nodes() const {
+  std::vector<NodeIndex> nodes;
+  for (std::size_t k = 0; k < size(); ++k) nodes.push_back(node(k));
+  return nodes;
+}
+
 void NodeSums::add(std::span<const NodeVector> parts, Eigen::Matrix3Xd& forces) const {
   add(parts, NodeRanges(forces.cols()), forces);
 }
@@ -52,11 +64,16 @@ void NodeSums::add(std::span<const NodeVector> parts, const NodeRanges& nodes,
     if (entry + ahead < n) __builtin_prefetch(&parts[places[entry + ahead]]);
     return parts[places[entry]];
   };
-  nodes.visit_in(nodes_, [&](std::size_t k) {
+  const auto add_at = [&](std::size_t k) {
     NodeVector sum = part(begin_[k]);
     for (std::uint32_t entry = begin_[k] + 1; entry < begin_[k + 1]; ++entry) sum += part(entry);
-    forces.col(nodes_[k].value) += sum.head<3>();
-  });
+    forces.col(node(k).value) += sum.head<3>();
+  };
+  if (follow_each_other()) {
+    nodes.visit_in(NodeRange{first_node_, first_node_ + static_cast<std::int64_t>(size())}, add_at);
+  } else {
+    nodes.visit_in(nodes_, add_at);
+  }
 }
 
 }  // namespace contactsim

@@ -25,7 +25,7 @@ class NodeSums {
   NodeSums(std::span<const std::uint32_t> nodes, std::size_t n_nodes, std::span<const std::uint32_t> places);
 
   /// The nodes that have places, ascending.
-  std::span<const NodeIndex> nodes() const { return nodes_; }
+  std::vector<NodeIndex> nodes() const;
 
   /// Adds to the forces of the nodes that have places.
   ///   parts   [n_places] [force]
@@ -35,9 +35,17 @@ class NodeSums {
   void add(std::span<const NodeVector> parts, const NodeRanges& nodes, Eigen::Matrix3Xd& forces) const;
 
  private:
+  bool follow_each_other() const { return nodes_.empty(); }
+  std::size_t size() const { return begin_.size() - 1; }
+  NodeIndex node(std::size_t k) const {
+    return follow_each_other() ? NodeIndex{first_node_ + static_cast<std::uint32_t>(k)} : nodes_[k];
+  }
+
+  /// The nodes, or none where each follows the one before, which is usual in a mesh of one block.
   std::vector<NodeIndex> nodes_;
-  std::vector<std::uint32_t> begin_;   ///< [nodes_.size() + 1] first entry of each in places_
-  std::vector<std::uint32_t> places_;  ///< by node
+  std::uint32_t first_node_ = 0;
+  std::vector<std::uint32_t> begin_{0};  ///< [size() + 1] first entry of each in places_
+  std::vector<std::uint32_t> places_;    ///< by node
 };
 
 }  // namespace contactsim

@@ -34,6 +34,32 @@ TEST_CASE("some of the places are added alone", "[core][elements]") {
   CHECK(forces.row(0) == Eigen::RowVectorXd{{0, 4, 0, 0, 6, 0}});
 }
 
+TEST_CASE("nodes that follow each other have sums as others have, among all nodes and among some",
+          "[core][elements]") {
+  // 3, 4 and 5 of seven, and with 1 or without 4 such as do not follow each other.
+  for (const std::vector<std::uint32_t>& nodes :
+       {std::vector<std::uint32_t>{5, 3, 4, 3}, {5, 3, 4, 1}, {5, 3, 3, 3}}) {
+    const NodeSums sums(nodes, 7);
+    std::vector<NodeVector> parts;
+    for (int i = 1; i <= 4; ++i) parts.push_back(NodeVector::Constant(i));
+    Eigen::Matrix3Xd slow = Eigen::Matrix3Xd::Zero(3, 7);
+    for (std::size_t i = 0; i < 4; ++i) slow.col(nodes[i]) += parts[i].head<3>();
+    std::vector<NodeIndex> those;
+    for (std::uint32_t node = 0; node < 7; ++node) {
+      if (slow(0, node) != 0.0) those.push_back({node});
+    }
+    CHECK(sums.nodes() == those);
+    Eigen::Matrix3Xd forces = Eigen::Matrix3Xd::Zero(3, 7);
+    sums.add(parts, forces);
+    CHECK(forces == slow);
+    const NodeRange some[] = {{0, 2}, {4, 7}};
+    forces.setZero();
+    sums.add(parts, NodeRanges(std::span(some)), forces);
+    slow.middleCols(2, 2).setZero();
+    CHECK(forces == slow);
+  }
+}
+
 TEST_CASE("no places, no nodes", "[core][elements]") {
   Eigen::Matrix3Xd forces = Eigen::Matrix3Xd::Ones(3, 2);
   NodeSums().add({}, forces);
