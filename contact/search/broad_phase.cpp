@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <array>
 #include <cassert>
-#include <memory>
 #include <numeric>
 
 #include "core/base/memory_error.hpp"
@@ -14,8 +13,6 @@
 namespace contactsim {
 
 namespace {
-
-using Tree = fcl::BVHModel<fcl::AABB<double>>;
 
 /// Boxes that stand close together, by their numbers.
 using Part = std::span<std::uint32_t>;
@@ -44,8 +41,15 @@ void split(std::span<const Box> boxes, Part part, int depth, std::vector<Part>& 
   split(boxes, {middle, part.end()}, depth - 1, parts);
 }
 
-/// FCL's tree of a part. A triangle from corner to corner of each box and back has that box around it.
-std::unique_ptr<Tree> make_tree(std::span<const Box> boxes, std::span<const std::uint32_t> part) {
+/// A node of FCL's tree of a part.
+struct PartNode {
+  std::uint32_t n_boxes = 0;
+  std::uint32_t link = 0;  ///< of one box its number, of more the first child's place in the tree
+};
+
+/// FCL's tree of a part, its root first. A triangle from corner to corner of each box and back has that box
+/// around it. FCL takes two hundred bytes a box, which are free again then.
+std::vector<PartNode> make_tree(std::span<const Box> boxes, std::span<const std::uint32_t> part) {
   std::vector<fcl::Vector3d> corners;
   std::vector<fcl::Triangle> triangles;
   corners.reserve(2 * part.size());
@@ -56,31 +60,39 @@ std::unique_ptr<Tree> make_tree(std::span<const Box> boxes, std::span<const std:
     corners.emplace_back(box.lo[0], box.lo[1], box.lo[2]);
     corners.emplace_back(box.hi[0], box.hi[1], box.hi[2]);
   }
-  auto tree = std::make_unique<Tree>();
+  fcl::BVHModel<fcl::AABB<double>> tree;
   const int n_triangles = static_cast<int>(triangles.size()), n_corners = static_cast<int>(corners.size());
   // In this order they fail by lack of memory alone, which FCL does not throw.
-  if (tree->beginModel(n_triangles, n_corners) != fcl::BVH_OK ||
-      tree->addSubModel(corners, triangles) != fcl::BVH_OK || tree->endModel() != fcl::BVH_OK)
+  if (tree.beginModel(n_triangles, n_corners) != fcl::BVH_OK ||
+      tree.addSubModel(corners, triangles) != fcl::BVH_OK || tree.endModel() != fcl::BVH_OK)
     WorkInMemory::throw_bad_alloc();
-  return tree;
+  std::vector<PartNode> nodes(static_cast<std::size_t>(tree.getNumBVs()));
+  for (std::size_t i = 0; i < nodes.size(); ++i) {
+    const auto& node = tree.getBV(static_cast<int>(i));
+    assert(node.isLeaf() ? node.num_primitives == 1 : node.leftChild() > static_cast<int>(i));
+    nodes[i].n_boxes = static_cast<std::uint32_t>(node.num_primitives);
+    nodes[i].link = node.isLeaf() ? part[static_cast<std::size_t>(node.primitiveId())]
+                                  : static_cast<std::uint32_t>(node.leftChild());
+  }
+  return nodes;
 }
 
 /// Puts FCL's trees below top levels that halve the parts as split() did.
 class TopLevelTree {
  public:
-  TopLevelTree(std::span<const std::unique_ptr<Tree>> trees, std::span<const Part> parts, BoxTree& made)
-      : trees_(trees), parts_(parts), nodes_(made.nodes) {
-    std::size_t n = 2 * parts.size() - 1;
-    for (const Part& part : parts) n += 2 * part.size() - 2;
+  TopLevelTree(std::span<const std::vector<PartNode>> trees, BoxTree& made)
+      : trees_(trees), nodes_(made.nodes) {
+    std::size_t n = 2 * trees.size() - 1;
+    for (const std::vector<PartNode>& tree : trees) n += tree.size() - 1;
     nodes_.resize(n);
-    graft(0, parts.size(), 0);
+    graft(0, trees.size(), 0);
   }
 
  private:
   /// The nodes below each node follow each other, its children first.
   void graft(std::size_t first, std::size_t n_parts, std::size_t at) {
     if (n_parts == 1) {
-      copy(*trees_[first], parts_[first], at);
+      copy(trees_[first], at);
       return;
     }
     const std::size_t children = next_;
@@ -92,23 +104,17 @@ class TopLevelTree {
   }
 
   /// Who is whose child, as FCL has it. Its root stands first, and at `at` here.
-  void copy(const Tree& from, Part part, std::size_t at) {
+  void copy(std::span<const PartNode> from, std::size_t at) {
     const std::size_t first = next_ - 1;  // where the second node's place would be, less one
-    const auto n = static_cast<std::size_t>(from.getNumBVs());
-    for (std::size_t i = 0; i < n; ++i) {
-      const auto& node = from.getBV(static_cast<int>(i));
+    for (std::size_t i = 0; i < from.size(); ++i) {
       BoxNode& made = nodes_[i == 0 ? at : first + i];
-      made.n_boxes = static_cast<std::uint32_t>(node.num_primitives);
-      assert(node.isLeaf() || node.leftChild() > static_cast<int>(i));
-      made.link = node.isLeaf()
-                      ? part[static_cast<std::size_t>(node.primitiveId())]
-                      : static_cast<std::uint32_t>(first + static_cast<std::size_t>(node.leftChild()));
+      made.n_boxes = from[i].n_boxes;
+      made.link = from[i].n_boxes == 1 ? from[i].link : static_cast<std::uint32_t>(first + from[i].link);
     }
-    next_ += n - 1;
+    next_ += from.size() - 1;
   }
 
-  std::span<const std::unique_ptr<Tree>> trees_;
-  std::span<const Part> parts_;
+  std::span<const std::vector<PartNode>> trees_;
   decltype(BoxTree::nodes)& nodes_;
   std::size_t next_ = 1;
 };
@@ -126,14 +132,14 @@ BoxTree make_box_tree(std::span<const Box> boxes) {
   std::iota(numbers.begin(), numbers.end(), 0u);
   std::vector<Part> parts;
   split(boxes, numbers, depth, parts);
-  std::vector<std::unique_ptr<Tree>> trees(parts.size());
+  std::vector<std::vector<PartNode>> trees(parts.size());
   const auto n_parts = static_cast<std::int64_t>(parts.size());
 #pragma omp parallel for schedule(dynamic) num_threads(threads_for(boxes.size()))
   for (std::int64_t i = 0; i < n_parts; ++i) {
     const auto k = static_cast<std::size_t>(i);
     trees[k] = make_tree(boxes, parts[k]);
   }
-  TopLevelTree(trees, parts, tree);
+  TopLevelTree(trees, tree);
   divide(tree);
   refit(tree, [&](std::uint32_t i) { return boxes[i]; });
   return tree;
