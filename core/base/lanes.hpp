@@ -11,7 +11,7 @@
 #include <cstdint>
 #include <cstring>
 
-#include "core/base/lane_registers.hpp"
+#include "core/base/lane_arithmetic.hpp"
 
 /// Numbers of eight elements at a time. Members have the names that Eigen's arrays give them. Sums, products,
 /// quotients and square roots are IEEE's on every processor; other functions are Eigen's.
