@@ -10,23 +10,21 @@ NodeSums::NodeSums(std::span<const std::uint32_t> nodes, std::size_t n_nodes) : 
   for (const std::uint32_t node : nodes) ++next[node + 1];
   const auto n_used = static_cast<std::size_t>(
       std::count_if(next.begin(), next.end(), [](std::uint32_t n_places) { return n_places > 0; }));
-  const auto first =
-      std::find_if(next.begin(), next.end(), [](std::uint32_t n_places) { return n_places > 0; });
-  const bool are_apart = std::any_of(first, first + static_cast<std::ptrdiff_t>(n_used),
-                                     [](std::uint32_t n_places) { return n_places == 0; });
-  if (n_used > 0) first_node_ = static_cast<std::uint32_t>(first - next.begin()) - 1;
-  if (are_apart) nodes_.reserve(n_used);
+  nodes_.reserve(n_used);
   begin_.clear();
   begin_.reserve(n_used + 1);
   for (std::uint32_t node = 0; node < n_nodes; ++node) {
     if (next[node + 1] > 0) {
-      if (are_apart) nodes_.push_back({node});
+      nodes_.push_back({node});
       begin_.push_back(next[node]);
     }
     next[node + 1] += next[node];
   }
   begin_.push_back(static_cast<std::uint32_t>(nodes.size()));
   for (std::uint32_t place = 0; place < nodes.size(); ++place) places_[next[nodes[place]]++] = place;
+  if (nodes_.empty() || nodes_.back().value - nodes_.front().value >= n_used) return;
+  first_node_ = nodes_.front().value;
+  nodes_ = std::vector<NodeIndex>();  // gives its memory back
 }
 
 namespace {
