@@ -118,9 +118,13 @@ def main(arguments):
     if not arguments or arguments[0].startswith("--"):
         sys.exit(__doc__)
     program = str(Path(arguments[0]).resolve())
-    if arguments[1:2] == ["--table"]:
-        return write_table(program, arguments[2:])
-    return run_cases(program, arguments[1:] or [name for name, case in CASES.items() if not case.is_long])
+    makes_table = arguments[1:2] == ["--table"]
+    names = arguments[2 if makes_table else 1:]
+    if unknown := [name for name in names if name not in CASES]:
+        sys.exit(f"no case {', '.join(unknown)}; verify.py --list {{short|long}} names all")
+    if makes_table:
+        return write_table(program, names)
+    return run_cases(program, names or [name for name, case in CASES.items() if not case.is_long])
 
 
 if __name__ == "__main__":
