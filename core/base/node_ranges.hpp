@@ -22,14 +22,12 @@ struct NodeRange {
 class NodeRanges {
  public:
   explicit NodeRanges(std::int64_t n_nodes) : all_{0, n_nodes} {}
-  ///   ranges  ascending, apart; long ones are cut, so that threads share them
-  explicit NodeRanges(std::span<const NodeRange> ranges) {
-    constexpr std::int64_t max_size = 2048;
-    are_all_ = false;
+  ///   ranges  ascending, apart
+  explicit NodeRanges(std::span<const NodeRange> ranges)
+      : are_all_(false), some_(ranges.begin(), ranges.end()) {
     for (const NodeRange& range : ranges) {
+      first_of_.push_back(all_.end);
       all_.end += range.end - range.begin;
-      for (std::int64_t begin = range.begin; begin < range.end; begin += max_size)
-        some_.push_back({begin, std::min(begin + max_size, range.end)});
     }
   }
 
@@ -42,7 +40,8 @@ class NodeRanges {
   void visit(const Function& function) const {
     const int n_threads = threads_for(static_cast<std::size_t>(size()));
     if (are_all_) return parallel_for_ranges(size(), n_threads, function);
-    parallel_for(some_.size(), n_threads, [&](std::size_t i) { function(some_[i].begin, some_[i].end); });
+    parallel_for_ranges(size(), n_threads,
+                        [&](std::int64_t begin, std::int64_t end) { visit_between(begin, end, function); });
   }
 
   /// Calls function(k) for the positions of these nodes in a list.
@@ -76,9 +75,22 @@ class NodeRanges {
   }
 
  private:
+  /// The nodes that have these places among all, the first has place 0.
+  template <class Function>
+  void visit_between(std::int64_t begin, std::int64_t end, const Function& function) const {
+    if (begin == end) return;
+    const auto next = std::ranges::upper_bound(first_of_, begin);
+    for (auto k = static_cast<std::size_t>(next - first_of_.begin()) - 1;
+         k < some_.size() && first_of_[k] < end; ++k) {
+      const std::int64_t to_node = some_[k].begin - first_of_[k];
+      function(std::max(some_[k].begin, begin + to_node), std::min(some_[k].end, end + to_node));
+    }
+  }
+
   NodeRange all_;  // or their number
   bool are_all_ = true;
   std::vector<NodeRange> some_;
+  std::vector<std::int64_t> first_of_;  // [some_] the place of its first node among all
 };
 
 }  // namespace contactsim

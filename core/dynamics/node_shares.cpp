@@ -2,37 +2,38 @@
 #include "core/dynamics/node_shares.hpp"
 
 #include <algorithm>
+#include <array>
+#include <bit>
 
 namespace contactsim {
 
 NodeShares::NodeShares(const Model& model, const ChunkShares& chunks, std::span<const NodeIndex> everywhere)
-    : n_nodes_(static_cast<std::int64_t>(model.mesh->n_nodes())),
-      followed_by_((model.mesh->n_nodes() + granule - 1) / granule, 0) {
-  const int n_ranks = chunks.n_ranks();
-  for (int rank = 0; rank < n_ranks; ++rank) {
+    : followed_by_(model.mesh->n_nodes(), 0) {
+  for (int rank = 0; rank < chunks.n_ranks(); ++rank) {
     const std::uint64_t bit = std::uint64_t{1} << rank;
     for (std::size_t b = 0; b < model.blocks.size(); ++b) {
       const ModelBlock& block = model.blocks[b];
       const ChunkRange own = chunks.of(rank, b);
       for (std::size_t c = own.begin; c < own.end; ++c) {
-        for (const std::uint32_t node : block.nodes_of(block.chunks[c])) followed_by_[node / granule] |= bit;
+        for (const std::uint32_t node : block.nodes_of(block.chunks[c])) followed_by_[node] |= bit;
       }
     }
   }
   // The rank whose elements have most of the nodes of a sum makes it.
-  std::vector<std::size_t> n_followed(static_cast<std::size_t>(n_ranks));
-  for (std::size_t begin = 0; begin < followed_by_.size(); begin += granules_per_sum) {
-    const std::size_t end = std::min(begin + granules_per_sum, followed_by_.size());
-    std::ranges::fill(n_followed, 0);
-    for (std::size_t i = begin; i < end; ++i) {
-      for (std::size_t r = 0; r < n_followed.size(); ++r) n_followed[r] += followed_by_[i] >> r & 1U;
+  std::array<std::size_t, max_ranks> n_followed;
+  for (std::size_t begin = 0; begin < followed_by_.size(); begin += nodes_per_sum) {
+    const std::size_t n = std::min<std::size_t>(nodes_per_sum, followed_by_.size() - begin);
+    const std::span masks = std::span(followed_by_).subspan(begin, n);
+    n_followed.fill(0);
+    for (std::uint64_t left : masks) {
+      for (; left != 0; left &= left - 1) ++n_followed[static_cast<std::size_t>(std::countr_zero(left))];
     }
-    rank_of_sum_.push_back(static_cast<int>(std::ranges::max_element(n_followed) - n_followed.begin()));
+    const auto most = std::ranges::max_element(n_followed) - n_followed.begin();
+    rank_of_sum_.push_back(static_cast<int>(most));
+    for (std::uint64_t& mask : masks) mask |= std::uint64_t{1} << most;
   }
-  for (std::size_t i = 0; i < followed_by_.size(); ++i)
-    followed_by_[i] |= std::uint64_t{1} << rank_of_sum_[i / granules_per_sum];
   const auto follow_everywhere = [&](std::span<const NodeIndex> nodes) {
-    for (const NodeIndex node : nodes) followed_by_[node.value / granule] = ~std::uint64_t{0};
+    for (const NodeIndex node : nodes) followed_by_[node.value] = ~std::uint64_t{0};
   };
   follow_everywhere(everywhere);
   follow_everywhere(model.kinematic_constraints.nodes());
@@ -40,34 +41,31 @@ NodeShares::NodeShares(const Model& model, const ChunkShares& chunks, std::span<
   for (const RigidBody& body : model.rigid.bodies) follow_everywhere(body.nodes);
 }
 
-/// What a rank follows where counts(granule) holds.
+/// The nodes for which counts(node) holds.
 template <class Counts>
-std::vector<NodeRange> NodeShares::find_ranges(int rank, const Counts& counts) const {
+std::vector<NodeRange> NodeShares::find_ranges(const Counts& counts) const {
   std::vector<NodeRange> ranges;
-  for (std::size_t i = 0; i < followed_by_.size(); ++i) {
-    if ((followed_by_[i] >> rank & 1U) == 0 || !counts(i)) continue;
-    const auto begin = static_cast<std::int64_t>(i * granule);
-    const std::int64_t end = std::min<std::int64_t>(begin + granule, n_nodes_);
-    if (!ranges.empty() && ranges.back().end == begin) {
-      ranges.back().end = end;
-    } else {
-      ranges.push_back({begin, end});
-    }
+  for (std::uint32_t node = 0; node < followed_by_.size(); ++node) {
+    if (!counts(node)) continue;
+    if (ranges.empty() || ranges.back().end != node) ranges.push_back({node, node});
+    ranges.back().end = std::int64_t{node} + 1;
   }
   return ranges;
 }
 
 std::vector<NodeRange> NodeShares::followed(int rank) const {
-  return find_ranges(rank, [](std::size_t) { return true; });
+  return find_ranges([&](std::uint32_t node) { return follows(rank, node); });
 }
 
 std::vector<NodeRange> NodeShares::followed_for_others(int rank) const {
-  return find_ranges(rank, [&](std::size_t i) { return rank_of_sum_[i / granules_per_sum] != rank; });
+  return find_ranges(
+      [&](std::uint32_t node) { return follows(rank, node) && rank_of_sum_[node / nodes_per_sum] != rank; });
 }
 
 NodeRange NodeShares::nodes_of_sum(std::size_t i) const {
   const auto begin = static_cast<std::int64_t>(i * nodes_per_sum);
-  return {begin, std::min<std::int64_t>(begin + nodes_per_sum, n_nodes_)};
+  return {begin,
+          std::min<std::int64_t>(begin + nodes_per_sum, static_cast<std::int64_t>(followed_by_.size()))};
 }
 
 }  // namespace contactsim

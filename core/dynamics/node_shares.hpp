@@ -26,7 +26,7 @@ class NodeShares {
 
   bool follows(int rank, std::uint32_t node) const { return (followers(node) >> rank & 1U) != 0; }
   /// The ranks that follow a node, a bit of each; of nodes that all follow the bits beyond too.
-  std::uint64_t followers(std::uint32_t node) const { return followed_by_[node / granule]; }
+  std::uint64_t followers(std::uint32_t node) const { return followed_by_[node]; }
   /// All nodes that a rank follows.
   std::vector<NodeRange> followed(int rank) const;
   /// Those whose sums other ranks make.
@@ -42,14 +42,9 @@ class NodeShares {
 
  private:
   template <class Counts>
-  std::vector<NodeRange> find_ranges(int rank, const Counts& counts) const;
+  std::vector<NodeRange> find_ranges(const Counts& counts) const;
 
-  /// Nodes are followed by eights, as loops over them go.
-  static constexpr std::uint32_t granule = 8;
-  static constexpr std::size_t granules_per_sum = nodes_per_sum / granule;
-
-  std::int64_t n_nodes_;
-  std::vector<std::uint64_t> followed_by_;  // [n_nodes / granule] a bit of each rank
+  std::vector<std::uint64_t> followed_by_;  // [n_nodes] a bit of each rank
   std::vector<int> rank_of_sum_;
 };
 

@@ -30,6 +30,12 @@ TEST_CASE("ranges of nodes are visited once each, long ones too", "[core][node_r
   std::fill(expected.begin() + 5, expected.begin() + 5005, 1);
   CHECK(visits(nodes, 5010) == expected);
   CHECK(visits(NodeRanges(std::span<const NodeRange>{}), 3) == std::vector<int>{0, 0, 0});
+  // A long range beside many of one node: threads begin and end inside of both.
+  std::vector<NodeRange> uneven{{0, 5000}};
+  for (std::int64_t i = 0; i < 3001; ++i) uneven.push_back({5001 + 2 * i, 5002 + 2 * i});
+  std::vector<int> each(11003, 0);
+  for (const NodeRange& range : uneven) std::fill(each.begin() + range.begin, each.begin() + range.end, 1);
+  CHECK(visits(NodeRanges(uneven), each.size()) == each);
 }
 
 TEST_CASE("the members of a list are those in the ranges", "[core][node_ranges]") {

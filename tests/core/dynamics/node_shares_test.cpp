@@ -42,7 +42,7 @@ TEST_CASE("a rank follows the nodes of its chunks and of its sums", "[core][node
   CHECK(nodes.nodes_of_sum(1).begin == 2048);
   CHECK(nodes.nodes_of_sum(1).end == 81 * 41);
   CHECK(count(nodes.followed(0)) == 2048);
-  // From layer 16 on, rounded down to eights: 16 x 81 = 1296 = 162 x 8.
+  // From layer 16 on, 16 x 81 = 1296.
   CHECK(count(nodes.followed(1)) == 81 * 41 - 1296);
   CHECK(count(nodes.followed_for_others(1)) == 2048 - 1296);
   CHECK(nodes.followed_for_others(0).empty());
@@ -61,4 +61,6 @@ TEST_CASE("nodes that all need are followed by all ranks", "[core][node_shares]"
   for (int rank = 0; rank < 4; ++rank) {
     for (const std::uint32_t node : {0U, 500U, 3000U}) CHECK(nodes.follows(rank, node));
   }
+  CHECK(nodes.follows(0, 1));  // beside a node that all need, only by the rank that has it
+  CHECK_FALSE(nodes.follows(3, 1));
 }
