@@ -1,8 +1,9 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: BSD-3-Clause
-# Makes the Debian package for any x86-64 since 2009: a build for each level of the psABI, x86-64-v2, -v3 and -v4, and a
-# program that starts the right one (portable.cpp). Takes half an hour on one core; what is built is kept.
-#   app/package/make_deb.sh FOLDER [JOBS]     builds and the package go into FOLDER
+# Makes the Debian packages for any x86-64 since 2009. contactsim has a build for each level of the psABI, x86-64-v2, -v3
+# and -v4, and a program that starts the right one (portable.cpp), contactsim-mpi what mpirun needs beside it. Takes half an
+# hour on one core; what is built is kept.
+#   app/package/make_deb.sh FOLDER [JOBS]     builds and packages go into FOLDER
 # Needs besides what `bootstrap` lists: dpkg-dev, file; for pictures in the manual xvfb and xauth.
 set -euo pipefail
 source=$(cd "$(dirname "$0")/../.." && pwd)
@@ -20,9 +21,9 @@ for level in v4 v3; do
   configure $level
   ninja -C "$folder/$level" -j "$jobs" contactsim contactsim_native
 done
-configure v2 "-DCONTACTSIM_LEVEL_BUILDS=$folder/v3;$folder/v4"
+configure v2 "-DCONTACTSIM_LEVEL_BUILDS=$folder/v3;$folder/v4" -DCONTACTSIM_MPI=ON
 ninja -C "$folder/v2" -j "$jobs"
 ninja -C "$folder/v2" contactsim_html
 (cd "$folder/v2" && cpack)
-mv "$folder"/v2/contactsim_*.deb "$folder"
-ls -l "$folder"/contactsim_*.deb
+mv "$folder"/v2/contactsim{,-mpi}_*.deb "$folder"
+ls -l "$folder"/contactsim{,-mpi}_*.deb

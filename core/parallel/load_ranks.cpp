@@ -20,7 +20,9 @@ constexpr const char* library_name = "libcontactsim_mpi.so";
 std::filesystem::path find_library() {
   std::error_code none;
   const std::filesystem::path folder = std::filesystem::read_symlink("/proc/self/exe", none).parent_path();
-  for (const char* place : {".", "../lib/contactsim", "../lib/x86_64-linux-gnu/contactsim"}) {
+  // In a build; installed in bin; installed in libexec/contactsim, for a level of the processor.
+  for (const char* place : {".", "../lib/contactsim", "../lib/x86_64-linux-gnu/contactsim",
+                            "../../lib/contactsim", "../../lib/x86_64-linux-gnu/contactsim"}) {
     if (const auto path = folder / place / library_name; std::filesystem::exists(path, none)) return path;
   }
   return {};
@@ -45,8 +47,8 @@ std::unique_ptr<Ranks> load_ranks() {
   const std::filesystem::path path = find_library();
   if (path.empty()) {
     throw FileError(library_name,
-                    fmt::format("is not beside the program: it is started on {} ranks, but was built "
-                                "without MPI (CONTACTSIM_MPI)",
+                    fmt::format("is not beside the program: it is started on {} ranks, but was built without "
+                                "MPI (CONTACTSIM_MPI), or the package contactsim-mpi is not installed",
                                 n));
   }
   // MPI loads plugins that look for its own symbols.

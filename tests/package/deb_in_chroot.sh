@@ -1,12 +1,14 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: BSD-3-Clause
-# Installs the Debian package in a bare Debian 12, runs a deck on every level of the processor, uses what else it brings,
-# and removes it without a trace. As root; needs mmdebstrap.
-#   tests/package/deb_in_chroot.sh contactsim_0.1.0_amd64.deb
+# Installs the Debian packages in a bare Debian 12, runs a deck on every level of the processor, then on two ranks, uses what
+# else they bring, and removes them without a trace. As root; needs mmdebstrap.
+#   tests/package/deb_in_chroot.sh contactsim_0.1.0_amd64.deb contactsim-mpi_0.1.0_amd64.deb
 set -euo pipefail
 package=$(realpath "$1")
+mpi_package=$(realpath "$2")
 root=$(mktemp -d)
-trap 'rm -rf --one-file-system "$root"' EXIT
+end() { umount "$root/proc" 2>/dev/null || true; rm -rf --one-file-system "$root"; }
+trap end EXIT
 mirror=$(apt-get indextargets --format '$(REPO_URI)' 'Created-By: Packages' 'Codename: bookworm' | head -1)
 mmdebstrap --quiet --variant=apt --skip=cleanup/apt bookworm "$root" "${mirror:-http://deb.debian.org/debian}"
 
@@ -14,6 +16,7 @@ inside() { chroot "$root" env -i PATH=/usr/sbin:/usr/bin:/sbin:/bin DEBIAN_FRONT
 fail() { echo "deb_in_chroot.sh: $1" >&2; exit 1; }
 
 cp "$package" "$root/tmp/contactsim.deb"
+cp "$mpi_package" "$root/tmp/contactsim-mpi.deb"
 inside apt-get update -qq
 inside apt-get install -y -qq --no-install-recommends python3 python3-numpy man-db groff-base bash-completion >/dev/null
 inside apt-get install -y -qq --no-install-recommends /tmp/contactsim.deb 2>&1 | grep -v '^debconf\|^N: ' | tail -3
@@ -44,6 +47,17 @@ diff <(sed -n '/"energies"/,/}/p' "$root/tmp/run/$last.json") <(sed -n '/"energi
   fail "without CONTACTSIM_LEVEL it is not $last that runs"
 inside python3 -c 'import contactsim; run = contactsim.Simulation("/usr/share/contactsim/impact.i",
   "/usr/share/contactsim/impact.g", output="/tmp/run/p.e"); run.run(until=1e-6); print(contactsim.__version__, run.time)'
+mount -t proc proc "$root/proc"
+on_ranks() { inside sh -c "cd /tmp/run && mpirun --allow-run-as-root --oversubscribe -np 2 contactsim impact.i --quiet" 2>&1; }
+said=$(inside sh -c 'cd /tmp/run && OMPI_COMM_WORLD_SIZE=2 contactsim impact.i' 2>&1) && fail "it runs on ranks without contactsim-mpi"
+[[ $said == *"the package contactsim-mpi is not installed"* ]] || fail "without contactsim-mpi it says: $said"
+cp "$root/tmp/run/impact.e" "$root/tmp/of_one.e"
+inside apt-get install -y -qq --no-install-recommends /tmp/contactsim-mpi.deb >/dev/null 2>&1 || fail "contactsim-mpi cannot be installed"
+on_ranks || fail "the run on two ranks ends with $?"
+grep -q '2 ranks' "$root/tmp/run/impact.log" || fail "the log does not tell of ranks"
+cmp "$root/tmp/run/impact.e" "$root/tmp/of_one.e" || fail "two ranks write other results"
+umount "$root/proc"
+inside dpkg --purge contactsim-mpi >/dev/null 2>&1 || fail "contactsim-mpi cannot be removed"
 inside sh -c 'man --warnings contactsim && man --warnings contactsim-deck' >/dev/null 2>"$root/tmp/warnings" || fail "no man page"
 [ -s "$root/tmp/warnings" ] && fail "man warns: $(cat "$root/tmp/warnings")"
 for file in bash-completion/completions/contactsim zsh/vendor-completions/_contactsim \
