@@ -20,7 +20,7 @@ class ContactDetection {
   ContactDetection(const ContactSetup& setup, const ContactMesh& contact_mesh, const PairRules& rules);
 
   /// Whether the candidates may no longer be all.
-  bool is_due(const ContactKinematics& kinematics) const {
+  bool is_due(const ContactKinematics& kinematics) {
     return has_new_surfaces_ || search_.is_due(kinematics);
   }
   /// The broad phase. Bounds of faces without candidates are not kept up to date until the next one.

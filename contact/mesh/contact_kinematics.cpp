@@ -4,6 +4,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "contact/mesh/contact_remap.hpp"
 #include "core/base/state_archive.hpp"
@@ -30,11 +31,27 @@ void ContactKinematics::move_nodes(const Motion& motion) {
   last_velocity_ = &motion.velocity;
   is_foreseen_ = false;
   turning_ = last_turning_ = find_turning(motion, past_turning_);
+  const auto n_lofts = static_cast<Eigen::Index>(contact_mesh_.loft.size());
+  const bool was_known = x_.cols() == n_nodes;
+  Eigen::Matrix3Xd lofts_before;
+  if (was_known) lofts_before = x_.rightCols(n_lofts);
   x_.resize(3, n_nodes);
-  parallel_for(n_nodes, threads_for(contact_mesh_.n_nodes()), [&](std::uint32_t i) {
-    x_.col(i) = motion.coordinates.col(contact_mesh_.mesh_nodes[{i}].value);
+  const std::size_t n_mesh_points = contact_mesh_.n_mesh_points();
+  constexpr double infinite = std::numeric_limits<double>::infinity();
+  double moved = parallel_max(n_nodes, threads_for(n_nodes), 0.0, [&](std::uint32_t i) {
+    const Eigen::Vector3d x = motion.coordinates.col(contact_mesh_.mesh_nodes[{i}].value);
+    const double squared = was_known && i < n_mesh_points ? (x - x_.col(i)).squaredNorm() : 0.0;
+    x_.col(i) = x;
+    return squared < infinite ? squared : infinite;  // what is not a number has moved far
   });
-  if (contact_mesh_.loft.size() > 0) move_lofts(motion);
+  if (n_lofts > 0) {
+    move_lofts(motion);
+    if (was_known) {
+      const auto lofts_moved = (x_.rightCols(n_lofts) - lofts_before).colwise().squaredNorm();
+      moved = std::max(moved, lofts_moved.maxCoeff());
+    }
+  }
+  if (was_known) path_ += std::sqrt(moved);
 }
 
 void ContactKinematics::step(const Motion& motion) {
@@ -186,14 +203,17 @@ void ContactKinematics::find_loft_velocities() {
   });
 }
 
-void ContactKinematics::bound_all() {
+void ContactKinematics::bound(Faces which) {
+  bounded_ = which;
   bounds_.resize(contact_mesh_.faces.size());
-  const auto n = static_cast<std::uint32_t>(bounds_.size());
-  parallel_for(n, threads_for(n), [&](std::uint32_t i) { set_bound({i}); });
+  const std::size_t n = n_bounded();
+  parallel_for(n, threads_for(n), [&](std::size_t i) { set_bound(bounded(i)); });
 }
 
-void ContactKinematics::bound_watched() {
-  parallel_for(watched_.size(), threads_for(watched_.size()), [&](std::size_t i) { set_bound(watched_[i]); });
+double ContactKinematics::largest_speed() const {
+  const auto n = static_cast<std::uint32_t>(contact_mesh_.n_nodes());
+  return std::sqrt(
+      parallel_max(n, threads_for(n), 0.0, [&](std::uint32_t i) { return v({i}).squaredNorm(); }));
 }
 
 FaceCorners ContactKinematics::corners(const ContactFace& face) const {

@@ -44,17 +44,29 @@ class ContactKinematics {
   void remap(const ContactRemap& remap, const Motion& motion);
   /// Saves or restores how the points of lofts stand off their nodes.
   void archive(StateArchive& saved);
-  /// Brings the bounds of all faces, or of the watched ones, to where their nodes are.
-  void bound_all();
-  void bound_watched();
-  /// The faces that may touch something for now.
+  /// Brings the bounds of all faces, of the watched ones, or of those that are close to something, to where
+  /// their nodes are.
+  void bound_all() { bound(Faces::all); }
+  void bound_watched() { bound(Faces::watched); }
+  void bound_close() { bound(Faces::close); }
+  /// The faces that may touch something until the next search.
   void watch(std::vector<FaceIndex> faces) { watched_ = std::move(faces); }
+  /// Those of them that may within a range of motion.
+  void watch_close(std::vector<FaceIndex> faces) { close_ = std::move(faces); }
+  /// The faces whose bounds were brought up to date last, [i] of n.
+  std::size_t n_bounded() const { return n_faces(bounded_); }
+  FaceIndex bounded(std::size_t i) const { return face_of(bounded_, i); }
+
+  /// What no contact node has moved farther than since another moment, when this was less by that [length].
+  double path() const { return path_; }
+  /// Of the velocities of v() [length/time].
+  double largest_speed() const;
 
   /// The memory of positions and bounds [bytes].
   std::size_t bytes() const {
     return sizeof(double) * static_cast<std::size_t>(x_.size() + coming_velocity_.size() + offsets_.size() +
                                                      loft_velocity_.size()) +
-           bytes_of(bounds_) + bytes_of(watched_);
+           bytes_of(bounds_) + bytes_of(watched_) + bytes_of(close_);
   }
 
   const ContactMesh& contact_mesh() const { return contact_mesh_; }
@@ -110,12 +122,22 @@ class ContactKinematics {
                       OptionalIndex<std::uint32_t> smoothing = {}) const;
 
  private:
+  enum class Faces : std::uint8_t { all, watched, close };
+
   FaceCorners corners(const ContactFace& face) const;
   FaceCorners velocities(const ContactFace& face) const;
+  std::size_t n_faces(Faces which) const {
+    return which == Faces::all       ? contact_mesh_.faces.size()
+           : which == Faces::watched ? watched_.size()
+                                     : close_.size();
+  }
+  FaceIndex face_of(Faces which, std::size_t i) const {
+    return which == Faces::all       ? FaceIndex{static_cast<std::uint32_t>(i)}
+           : which == Faces::watched ? watched_[i]
+                                     : close_[i];
+  }
+  void bound(Faces which);
   void set_bound(FaceIndex face);
-
-  const ContactMesh& contact_mesh_;
-  std::vector<FaceIndex> watched_;
   void turn_offsets(const Motion& motion);
   void move_lofts(const Motion& motion);
   const Eigen::Matrix3Xd* find_turning(const Motion& motion, Eigen::Matrix3Xd& turning) const;
@@ -130,6 +152,10 @@ class ContactKinematics {
                      : last_velocity_->data() + 3 * std::size_t{contact_mesh_.mesh_nodes[node].value});
   }
 
+  const ContactMesh& contact_mesh_;
+  std::vector<FaceIndex> watched_, close_;
+  Faces bounded_ = Faces::all;
+  double path_ = 0.0;                              // see path()
   Eigen::Matrix3Xd x_;                             // of the contact nodes [length]
   Eigen::Matrix3Xd offsets_, loft_velocity_;       // of the points of lofts [length] [length/time]
   Eigen::Matrix3Xd shell_areas_, normal_offsets_;  // scratch

@@ -74,19 +74,24 @@ void ContactSearch::archive(StateArchive& saved) {
   turned_away_.archive(saved);
   first_partners_.archive(saved);
   filter_.set_first_search(n_searches_ == 0);
+  quiet_until_ = 0.0;
 }
 
-bool ContactSearch::is_due(const ContactKinematics& kinematics) const {
+bool ContactSearch::is_due(const ContactKinematics& kinematics) {
   if (n_searches_ == 0) return true;
   if (is_once_ || !(has_face_pairs_ || has_node_pairs_)) return false;
-  if (turned_away_.have_turned(kinematics)) return true;
+  if (kinematics.path() < quiet_until_) return false;
+  const double room_to_turn = turned_away_.room(kinematics);
+  if (room_to_turn < 0.0) return true;
   // Two sides share their margins: one may use up what the other, at rest, does not need.
   const auto used = margins_.used(contact_mesh_, kinematics);
-  return !std::ranges::all_of(rules_.rules(), [&](const PairRule& rule) {
+  const bool have_room = std::ranges::all_of(rules_.rules(), [&](const PairRule& rule) {
     const SurfaceIndex first = rule.pair->first, second = rule.pair->second;
     return margins_.has_room(first, used[first], second, used[second]) &&
            margins_.has_room(second, used[second], first, used[first]);
   });
+  if (have_room) quiet_until_ = kinematics.path() + std::min(room_to_turn, margins_.room(used));
+  return !have_room;
 }
 
 void ContactSearch::stop_at(const ContactKinematics& kinematics, const Motion& motion,
@@ -155,6 +160,7 @@ void ContactSearch::finish(const ContactKinematics& kinematics) {
   filter_.set_first_search(false);
   turned_away_.finish(kinematics, *ranks_);
   margins_.start_at(contact_mesh_, kinematics);
+  quiet_until_ = 0.0;
 }
 
 Box ContactSearch::face_box(const ContactKinematics& kinematics, FaceIndex index, double dt,

@@ -54,7 +54,7 @@ class ContactSearch {
   bool has_start_reach() const { return has_start_reach_; }
 
   /// Whether anything has moved far enough since the last search, or none was made.
-  bool is_due(const ContactKinematics& kinematics) const;
+  bool is_due(const ContactKinematics& kinematics);
 
   /// A search is one call each of those below that are wanted, faces first, then finish(). All pairs are
   /// sorted, the same for any number of threads. They throw SolveError naming a node that is nowhere.
@@ -141,6 +141,7 @@ class ContactSearch {
   FacesTurnedAway turned_away_;
   FirstPartners first_partners_;  // if pairs keep them
   std::uint64_t n_searches_ = 0;
+  double quiet_until_ = 0.0;  // no search is due up to that path() of the contact nodes [length]
 };
 
 }  // namespace contactsim

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <atomic>
+#include <cmath>
+#include <limits>
 
 #include "contact/geometry/common_plane.hpp"
 #include "core/base/state_archive.hpp"
@@ -56,12 +58,22 @@ void FacesTurnedAway::finish(const ContactKinematics& kinematics, Ranks& ranks) 
                [&](std::size_t i) { normals_[i] = normal_of(kinematics, watched_[i]); });
 }
 
-bool FacesTurnedAway::have_turned(const ContactKinematics& kinematics) const {
-  const float most = parallel_max(watched_.size(), threads_for(watched_.size()), 0.0f, [&](std::size_t i) {
-    const float turned = (normal_of(kinematics, watched_[i]) - normals_[i]).squaredNorm();
-    return turned <= 4.0f ? turned : 4.0f;  // what is not a number has turned
+/// A normal is that of w = q x p, p and q the diagonals of the corners. Where these move by d, w changes by
+/// no more than c = 2 d l + 4 d^2, l = |p| + |q|, and its direction by c / (|w| - c): by t where
+/// c = |w| t / (1 + t).
+double FacesTurnedAway::room(const ContactKinematics& kinematics) const {
+  constexpr double infinite = std::numeric_limits<double>::infinity(), safe = 0.99;
+  return parallel_min(watched_.size(), threads_for(watched_.size()), infinite, [&](std::size_t i) {
+    const FaceCorners x = kinematics.face_corners(watched_[i]);
+    const Eigen::Vector3d area = area_vector(x);
+    const float turned = (area.normalized().cast<float>() - normals_[i]).squaredNorm();
+    if (!(turned <= allowed_turn * allowed_turn)) return -1.0;  // what is not a number has turned
+    const double left = static_cast<double>(allowed_turn - std::sqrt(turned) - rounding_of_cosine);
+    if (!(left > 0.0)) return 0.0;
+    const double l = (x.col(2) - x.col(0)).norm() + (x.col(3) - x.col(1)).norm();
+    const double c = 2.0 * area.norm() * left / (1.0 + left);
+    return 0.25 * safe * (std::sqrt(l * l + 4.0 * c) - l);
   });
-  return most > allowed_turn * allowed_turn;
 }
 
 void FacesTurnedAway::archive(StateArchive& saved) {

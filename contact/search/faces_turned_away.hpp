@@ -20,13 +20,14 @@ class FacesTurnedAway {
   void begin(const ContactKinematics& kinematics) {
     marks_.assign(kinematics.contact_mesh().faces.size(), 0);
   }
-  /// Whether two faces will not face each other until have_turned(); both are watched then. May be called by
-  /// several threads.
+  /// Whether two faces will not face each other as long as room() is left; both are watched then. May be
+  /// called by several threads.
   bool are(const ContactKinematics& kinematics, FaceIndex a, FaceIndex b);
   /// Ends a search, which ranks may have made together: turns count from here.
   void finish(const ContactKinematics& kinematics, Ranks& ranks = one_rank());
-  /// Whether a watched face has turned too far for what are() has said.
-  bool have_turned(const ContactKinematics& kinematics) const;
+  /// How far nodes may still move until a watched face may have turned too far for what are() has said; < 0
+  /// where one has [length].
+  double room(const ContactKinematics& kinematics) const;
 
   void archive(StateArchive& saved);
   std::size_t bytes() const { return bytes_of(marks_) + bytes_of(watched_) + bytes_of(normals_); }

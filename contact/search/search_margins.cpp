@@ -89,6 +89,16 @@ bool SearchMargins::has_room(SurfaceIndex first, double first_used, SurfaceIndex
   return (first_used - 1.0) * widest_[first] <= (1.0 - second_used) * narrowest_[second];
 }
 
+double SearchMargins::room(const IndexedVector<SurfaceIndex, double>& used) const {
+  constexpr double safe = 0.99;
+  double room = std::numeric_limits<double>::infinity();
+  for (const SurfaceIndex surface : indices(used)) {
+    if (std::isinf(narrowest_[surface])) continue;  // it has no nodes
+    room = std::min(room, (1.0 - used[surface]) * narrowest_[surface]);
+  }
+  return std::max(0.0, safe * room);
+}
+
 void SearchMargins::archive(std::uint64_t& n_searches, StateArchive& saved) {
   saved.numbers("contact/search/last", n_searches, origin_);
   saved.list("contact/search/searched_at", started_at_);

@@ -33,6 +33,9 @@ class SearchMargins {
   /// beyond its own, at its widest, the other has left at its narrowest.
   bool has_room(SurfaceIndex first, double first_used, SurfaceIndex second, double second_used) const;
 
+  /// How far nodes may still move until the margins of a surface may be used up [length].
+  double room(const IndexedVector<SurfaceIndex, double>& used) const;
+
   /// Saves or restores where nodes were, with the number of searches so far.
   void archive(std::uint64_t& n_searches, StateArchive& saved);
   std::size_t bytes() const { return bytes_of(of_face_) + bytes_of(of_node_) + bytes_of(started_at_); }

@@ -76,6 +76,41 @@ TEST_CASE("only watched faces are followed until all are asked for", "[contact][
   CHECK((parts.kinematics.bound({0}).centre() - before - way).norm() < 1e-14);
 }
 
+TEST_CASE("close faces are followed alone, and say so", "[contact][contact_kinematics]") {
+  ContactParts parts(cube_and_tet(), general_contact());
+  CHECK(parts.kinematics.n_bounded() == parts.contact_mesh.faces.size());
+  const Vector3d before = parts.kinematics.bound({0}).centre();
+  parts.kinematics.watch({FaceIndex{0}, FaceIndex{1}, FaceIndex{3}});
+  parts.kinematics.watch_close({FaceIndex{3}});
+  parts.x.colwise() += Vector3d(1, 0, 0);
+  parts.kinematics.move_nodes(parts.motion());
+  parts.kinematics.bound_close();
+  CHECK(parts.kinematics.bound({0}).centre() == before);
+  REQUIRE(parts.kinematics.n_bounded() == 1);
+  CHECK(parts.kinematics.bounded(0) == FaceIndex{3});
+  parts.kinematics.bound_watched();
+  REQUIRE(parts.kinematics.n_bounded() == 3);
+  CHECK(parts.kinematics.bounded(2) == FaceIndex{3});
+  CHECK((parts.kinematics.bound({0}).centre() - before - Vector3d(1, 0, 0)).norm() < 1e-14);
+}
+
+TEST_CASE("the path is as long as the largest motions together", "[contact][contact_kinematics]") {
+  ContactParts parts(cube_and_tet(), general_contact());
+  const double before = parts.kinematics.path();
+  parts.x.col(2) += Vector3d(3, 0, 4);
+  parts.x.col(5) += Vector3d(0, 1, 0);
+  parts.move();
+  CHECK(parts.kinematics.path() - before == Approx(5.0));
+  parts.x.col(5) -= Vector3d(0, 1, 0);
+  parts.move();
+  CHECK(parts.kinematics.path() - before == Approx(6.0));
+  parts.v.col(1) = Vector3d(1, 2, 2);
+  CHECK(parts.kinematics.largest_speed() == Approx(3.0));
+  parts.x(0, 0) = std::numeric_limits<double>::quiet_NaN();
+  parts.move();
+  CHECK(std::isinf(parts.kinematics.path()));
+}
+
 TEST_CASE("a face is handed out with its corners as they move", "[contact][contact_kinematics]") {
   ContactParts parts(cube_and_tet(), general_contact());
   parts.x.colwise() += Vector3d(0.5, 0, 0);

@@ -7,6 +7,7 @@
 #include "core/base/errors.hpp"
 #include "support/catch.hpp"
 #include "support/contact_bodies.hpp"
+#include "support/random_faces.hpp"
 
 using namespace contactsim;
 using namespace contactsim::test;
@@ -48,6 +49,37 @@ TEST_CASE("large faces may not use up the margins of small ones", "[contact][con
   parts.x(0, 3) += 0.15;
   parts.move();
   CHECK(search.is_due(parts.kinematics));
+}
+
+TEST_CASE("a search is due when it would be if it had not been asked before", "[contact][contact_search]") {
+  MeshBuilder b;
+  b.add_hexes({.id = 1, .cells = {3, 3, 1}, .size = {3, 3, 1}});
+  b.add_hexes(
+      {.id = 2, .cells = {2, 2, 2}, .origin = {0.5, 0.4, 1.05}, .size = {1, 1, 1}, .share_nodes = false});
+  const double warp = GENERATE(0.0, 0.002), turn = GENERATE(0.0, 0.004), way = GENERATE(0.0, 0.003);
+  ContactParts parts(b, general_contact());
+  const Eigen::Matrix3Xd start = parts.x;
+  ContactSearch search(parts.contact_mesh, parts.mesh, parts.rules, {}, {});
+  parts.find_candidates(search);
+  Random random(3);
+  bool was_due = false;
+  for (int step = 0; step < 60 && !was_due; ++step) {
+    auto cube = parts.x.rightCols(27);
+    cube = (Eigen::AngleAxisd(turn, Eigen::Vector3d(1, 2, 2).normalized()).toRotationMatrix() * cube).eval();
+    cube.row(0).array() += way;
+    for (Eigen::Index i = 0; i < cube.cols(); ++i) cube.col(i) += random_vector(random, warp);
+    parts.move();
+    was_due = search.is_due(parts.kinematics);
+    const Eigen::Matrix3Xd now = parts.x;
+    parts.x = start;
+    parts.move();
+    ContactSearch fresh(parts.contact_mesh, parts.mesh, parts.rules, {}, {});
+    parts.find_candidates(fresh);
+    parts.x = now;
+    parts.move();
+    REQUIRE(was_due == fresh.is_due(parts.kinematics));
+  }
+  CHECK(was_due == (turn > 0.0 || way > 0.0));
 }
 
 TEST_CASE("a search finds the same with one thread and with two", "[contact][contact_search]") {
