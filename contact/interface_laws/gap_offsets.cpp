@@ -97,11 +97,16 @@ double GapOffsets::ramped_depth(const ContactPoint& point) const {
 }
 
 void GapOffsets::set_reach() {
-  for (Rule& rule : rules_) rule.reach = std::max(0.0, rule.offset);
+  largest_shift_ = 0.0;
+  for (Rule& rule : rules_) {
+    rule.reach = std::max(0.0, rule.offset);
+    largest_shift_ = std::max(largest_shift_, std::abs(rule.offset));
+  }
   for (const StartGaps* gaps : {&faces_, &nodes_, &edges_}) {
     for (const StartGap& gap : gaps->all()) {
       Rule& rule = rules_[gap.pair];
       rule.reach = std::max(rule.reach, offset_for(rule, gap));
+      largest_shift_ = std::max(largest_shift_, std::abs(offset_for(rule, gap)));
     }
   }
   largest_reach_ = 0.0;

@@ -84,6 +84,8 @@ class GapOffsets {
   double reach(PairIndex pair) const { return rules_[pair].reach; }
   /// The same of all pairs [length].
   double largest_reach() const { return largest_reach_; }
+  /// What is taken off gaps or added to them, at most [length].
+  double largest_shift() const { return largest_shift_; }
 
   /// Whether the gaps of a pair, or of any, have to be known at the start.
   bool needs_start(PairIndex pair) const { return rules_[pair].settings.needs_start(); }
@@ -119,8 +121,8 @@ class GapOffsets {
   void set_reach();
 
   IndexedVector<PairIndex, Rule> rules_;
-  double start_time_ = 0.0;     // of ramps [time]
-  double largest_reach_ = 0.0;  // [length]
+  double start_time_ = 0.0;                           // of ramps [time]
+  double largest_reach_ = 0.0, largest_shift_ = 0.0;  // [length]
   StartGaps faces_, nodes_, edges_;
 };
 

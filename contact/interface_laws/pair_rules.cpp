@@ -58,7 +58,10 @@ void PairRules::set_laws(IndexedVector<PairIndex, PairInterfaceLaw> laws) {
     rule.model = std::move(laws[i]);
     rule.take(*rule.model.law);
     rule.model.visit_models([&](const InterfaceLaw& law) {
-      if (law.pressure) largest_begin_gap_ = std::max(largest_begin_gap_, law.pressure->begin_gap());
+      if (!law.pressure) return;
+      const double begin_gap = law.pressure->begin_gap();
+      largest_begin_gap_ = std::max(largest_begin_gap_, begin_gap);
+      largest_begin_shift_ = std::max(largest_begin_shift_, std::abs(begin_gap));
     });
     if (!rule.model.far) continue;
     rule.far = static_cast<std::uint32_t>(far_rules_.size());

@@ -103,6 +103,8 @@ class PairRules {
   double max_activation_distance(PairIndex pair) const;
   /// How far apart on the mesh the sides of any pair may touch, at most [length].
   double largest_reach() const { return gap_offsets_.largest_reach() + largest_begin_gap_; }
+  /// How far gaps of the mesh are from those that count, at most [length].
+  double largest_shift() const { return gap_offsets_.largest_shift() + largest_begin_shift_; }
   IndexedSpan<PairIndex, const PairRule> rules() const { return rules_; }
   const PairRule& operator[](PairIndex pair) const { return rules_[pair]; }
   /// The pair of two surfaces in either order; nothing if they do not meet.
@@ -136,7 +138,8 @@ class PairRules {
   PairSet<PairIndex, FaceIndex> close_faces_;
   PairSet<PairIndex, SurfaceNodeIndex> close_nodes_;
   PairSet<PairIndex, EdgeIndex> close_edges_;
-  double largest_begin_gap_ = 0.0;  // of all models [length]
+  // Of all models, either way for the latter [length].
+  double largest_begin_gap_ = 0.0, largest_begin_shift_ = 0.0;
   GapOffsets gap_offsets_;
   StartReach start_reach_;
   std::vector<OptionalIndex<PairIndex>> table_;  // [n_surfaces x n_surfaces]
