@@ -48,6 +48,19 @@ FaceBound::FaceBound(const FaceCorners& x, const FaceCorners& v, bool is_triangl
   warp_ += height;
 }
 
+/// The normal is that of w = q x p, p and q as in the constructor. With corners that move by d, w changes by
+/// no more than c = 2 d (|p| + |q|) + 4 d^2, and its direction by c / (|w| - c).
+float largest_turn(const FaceBound& face, bool is_triangle, double motion) {
+  constexpr float more = 1.0f + 2.0f * rounding, any = 2.0f;
+  const auto d = static_cast<float>(motion);
+  // Half of q and of p.
+  const Eigen::Vector3f across = face.half(0) - face.half(1),
+                        along = is_triangle ? face.half(1) : Eigen::Vector3f(face.half(0) + face.half(1));
+  const float w = 4.0f * across.cross(along).norm();
+  const float change = 4.0f * d * (across.norm() + along.norm() + d) * more;
+  return change < 0.5f * w ? change / (w - change) * more : any;
+}
+
 bool may_touch(const FaceBound& a, const FaceBound& b, double activation_distance) {
   const Eigen::Vector3f apart = (a.centre() - b.centre()).cast<float>();
   const FourFloats on_b = b.times(apart), normal = a.times(b.normal());

@@ -57,6 +57,10 @@ class FaceBound {
   float warp_ = 0.0f, radius_ = 0.0f, normal_velocity_spread_ = 0.0f, lean_ = 0.0f;
 };
 
+/// By how much a unit normal may change while the corners move by so much, at most [1].
+///   motion  [length]
+float largest_turn(const FaceBound& face, bool is_triangle, double motion);
+
 /// Whether two faces may touch: they face each other, are not farther apart along the normal than the
 /// activation distance, and no direction along one of their edges parts them. Says yes rather too often.
 ///   activation_distance  gaps up to it count [length]
