@@ -4,6 +4,16 @@
 
 namespace contactsim {
 
+namespace {
+
+template <class F>
+void watch_close_of(const F& formulation, IndexedVector<FaceIndex, std::uint8_t>& is_watched) {
+  if constexpr (requires { formulation.watch_close(is_watched); }) return formulation.watch_close(is_watched);
+  formulation.watch(is_watched);
+}
+
+}  // namespace
+
 ContactDetection::ContactDetection(const ContactSetup& setup, const ContactMesh& contact_mesh,
                                    const PairRules& rules)
     : setup_(setup),
@@ -21,7 +31,19 @@ void ContactDetection::find_candidates(const Motion& motion, ContactKinematics& 
                      [&](auto& formulation) { formulation.find_candidates(search_, kinematics, motion); });
   search_.finish(kinematics);
   kinematics.watch(faces_with_candidates());
+  forget_close();
   has_new_surfaces_ = false;
+}
+
+void ContactDetection::begin_narrow_phase(ContactStepContext& context, ContactKinematics& kinematics) {
+  if (has_new_close_) take_close(kinematics);
+  close_window_.choose(context);
+  has_new_close_ = context.candidates == CandidateUse::renew_close;
+  if (context.candidates == CandidateUse::close) {
+    kinematics.bound_close();
+  } else {
+    kinematics.bound_watched();
+  }
 }
 
 void ContactDetection::find_start_candidates(const Motion& motion, ContactKinematics& kinematics) {
@@ -34,15 +56,40 @@ void ContactDetection::end_start(const Motion& motion, ContactKinematics& kinema
   if (search_.has_start_reach()) find_candidates(motion, kinematics);
 }
 
-std::vector<FaceIndex> ContactDetection::faces_with_candidates() const {
+/// Has bounds of faces follow close candidates, or forgets these where they are most.
+void ContactDetection::take_close(ContactKinematics& kinematics) {
+  std::size_t n_close = 0, n = 0;  // of formulations that leave candidates out
+  for_each_of_points(formulations_, [&](const auto& formulation) {
+    if constexpr (requires { formulation.n_close(); }) {
+      n_close += formulation.n_close();
+      n += formulation.n_candidates();
+    }
+  });
+  if (close_window_.note(n_close, n)) {
+    kinematics.watch_close(faces_that(
+        [](const auto& formulation, auto& is_watched) { watch_close_of(formulation, is_watched); }));
+    return;
+  }
+  for_each_of_points(formulations_, [](auto& formulation) {
+    if constexpr (requires { formulation.forget_close(); }) formulation.forget_close();
+  });
+}
+
+/// The faces that mark(formulation, is_watched) marks of any formulation that finds contact points.
+template <class Mark>
+std::vector<FaceIndex> ContactDetection::faces_that(const Mark& mark) const {
   IndexedVector<FaceIndex, std::uint8_t> is_watched(contact_mesh_.faces.size(), 0);
-  for_each_of_points(formulations_, [&](const auto& formulation) { formulation.watch(is_watched); });
+  for_each_of_points(formulations_, [&](const auto& formulation) { mark(formulation, is_watched); });
   std::vector<FaceIndex> watched;
   watched.reserve(static_cast<std::size_t>(std::count(is_watched.begin(), is_watched.end(), 1)));
   for (const FaceIndex face : indices(is_watched)) {
     if (is_watched[face] != 0) watched.push_back(face);
   }
   return watched;
+}
+
+std::vector<FaceIndex> ContactDetection::faces_with_candidates() const {
+  return faces_that([](const auto& formulation, auto& is_watched) { formulation.watch(is_watched); });
 }
 
 void ContactDetection::begin_step() {
@@ -139,6 +186,7 @@ void ContactDetection::remap(const ContactRemap& remap) {
   decaying_.remap(remap);
   for (const auto& face : released_faces()) search_.release_face(face.entity);
   for (const auto& node : released_nodes()) search_.release_row(node.entity);
+  forget_close();
   has_new_surfaces_ = true;
 }
 
@@ -146,6 +194,7 @@ void ContactDetection::archive(StateArchive& saved) {
   search_.archive(saved);
   formulations_.for_each([&](auto& formulation) { formulation.archive(saved); });
   decaying_.archive(saved);
+  forget_close();
 }
 
 }  // namespace contactsim

@@ -4,6 +4,7 @@
 #include <span>
 #include <vector>
 
+#include "contact/enforcement/close_window.hpp"
 #include "contact/enforcement/contact_setup.hpp"
 #include "contact/enforcement/narrow_phase.hpp"
 #include "contact/formulations/contact_formulations.hpp"
@@ -20,9 +21,7 @@ class ContactDetection {
   ContactDetection(const ContactSetup& setup, const ContactMesh& contact_mesh, const PairRules& rules);
 
   /// Whether the candidates may no longer be all.
-  bool is_due(const ContactKinematics& kinematics) {
-    return has_new_surfaces_ || search_.is_due(kinematics);
-  }
+  bool is_due(const ContactKinematics& kinematics) { return has_new_surfaces_ || search_.is_due(kinematics); }
   /// The broad phase. Bounds of faces without candidates are not kept up to date until the next one.
   void find_candidates(const Motion& motion, ContactKinematics& kinematics);
   /// Faces of which something has to be known until the next search.
@@ -33,6 +32,8 @@ class ContactDetection {
   /// What is known of the last step may change with candidates again. Precondition: none was remembered
   /// since.
   void undo_begin_step();
+  /// Has bounds of faces follow for the narrow phase of a context, and says which candidates it looks at.
+  void begin_narrow_phase(ContactStepContext& context, ContactKinematics& kinematics);
   /// The narrow phase: takes all contact points of the pairs that the context enforces, in their order.
   /// Returns those that touch under a GLUED MODEL.
   template <class Take>
@@ -99,6 +100,14 @@ class ContactDetection {
   void archive(StateArchive& saved);
 
  private:
+  template <class Mark>
+  std::vector<FaceIndex> faces_that(const Mark& mark) const;
+  void take_close(ContactKinematics& kinematics);
+  void forget_close() {
+    close_window_.forget();
+    has_new_close_ = false;
+  }
+
   ContactSetup setup_;
   const ContactMesh& contact_mesh_;
   const PairRules& rules_;
@@ -106,6 +115,8 @@ class ContactDetection {
   ContactFormulations formulations_;
   std::vector<NarrowPhase> narrow_phases_;  // of each that finds contact points
   DecayingConstraints decaying_;
+  CloseWindow close_window_;
+  bool has_new_close_ = false;     // since the last narrow phase
   bool has_new_surfaces_ = false;  // a search has to follow
 };
 

@@ -100,8 +100,6 @@ void ContactForce::update_candidates(const Motion& motion) {
     detection_.end_start(motion, kinematics_);
   } else if (detection_.is_due(kinematics_)) {
     detection_.find_candidates(motion, kinematics_);
-  } else if (has_penalty_) {
-    kinematics_.bound_watched();
   }
 }
 
@@ -188,10 +186,11 @@ ForceReport ContactForce::set_forces(const Motion& motion, Eigen::Matrix3Xd& for
     update_candidates(motion);
   }
   begin_step(motion);
-  const ContactStepContext context =
+  ContactStepContext context =
       setup_.is_static()
           ? static_context(motion.dt, false)
           : ContactStepContext{kinematics_, rules_, constrained_, motion.dt, motion.stable_step, &depths_};
+  if (has_penalty_) detection_.begin_narrow_phase(context, kinematics_);
   if (setup_.is_static()) detection_.weigh_gaps(context, weighted_gaps_);
   add_penalty_points(context);
   if (preload_forces_.is_to_begin() && !balances_) begin_preload_forces(context, motion.time);
@@ -225,11 +224,11 @@ double ContactForce::end_step(double time, double dt) {
 std::optional<ForceReport> ContactForce::balance(const State& state, Eigen::Matrix3Xd& forces) {
   if (!balances_) return std::nullopt;
   kinematics_.foresee(state);
-  kinematics_.bound_watched();
   ContactStepContext context{kinematics_, rules_, constrained_, state.dt};
   context.depths = &depths_;
   context.balances = true;
   context.coming_dt = state.next_dt;
+  detection_.begin_narrow_phase(context, kinematics_);
   balance_.begin(setup_.model, mobility_.free_directions(), kinematics_, state);
   recovery_energy_.begin_step(rules_, histories_.all());
   const auto to_glue = detection_.visit_points(context, [&](const ContactPoint& point) {

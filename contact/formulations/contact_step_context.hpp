@@ -17,6 +17,16 @@ class WeightedGaps;
 /// threads.
 inline constexpr std::size_t rows_per_chunk = 256;
 
+/// How far things may move from where they are until candidates may meet that are not close now.
+struct CloseRange {
+  double motion = 0.0;  ///< of each contact node [length]
+  double soon = 0.0;    ///< by which sides may close within the time that is looked ahead [length]
+  double reach = 0.0;   ///< PairRules::largest_reach() [length]
+};
+
+/// Which candidates a narrow phase looks at: all, all to find those that are close, or these alone.
+enum class CandidateUse : std::uint8_t { all, renew_close, close };
+
 /// A step of contact: what the loops over contact points read.
 struct ContactStepContext {
   const ContactKinematics& kinematics;
@@ -37,6 +47,8 @@ struct ContactStepContext {
   /// By which weighted nodes have limits of friction; null: by what presses them.
   const SlipPressures* slip_pressures = nullptr;
   const WeightedGaps* weighted_gaps = nullptr;  ///< that press faces; null: each of their points does
+  CandidateUse candidates = CandidateUse::all;
+  CloseRange close_range = {};  ///< for which candidates are found that are close
 
   /// What closes within this time counts as about to touch: the next step must be small enough for the
   /// penalty of what it brings into touch [time].

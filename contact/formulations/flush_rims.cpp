@@ -47,10 +47,11 @@ bool has_opposite(const ContactStepContext& context, const Ahead& ahead, const E
   return std::ranges::any_of(ahead.corners, [&](ContactNodeIndex corner) {
     const Eigen::Vector3d x = context.kinematics.x(corner);
     return std::ranges::any_of(contact_mesh.faces_of_node.of(corner), [&](FaceIndex face) {
-      const FaceBound& bound = context.kinematics.bound(face);
-      return contact_mesh.faces[face].surface == ahead.surface &&
-             bound.normal().cast<double>().dot(out) < opposite &&
-             (context.kinematics.face_corners(face).rowwise().mean() - x).dot(ahead.normal) <= 0.0;
+      if (contact_mesh.faces[face].surface != ahead.surface) return false;
+      const FaceCorners corners = context.kinematics.face_corners(face);
+      const Eigen::Vector3d area = area_vector(corners);
+      return area.dot(out) < opposite * area.norm() &&
+             (corners.rowwise().mean() - x).dot(ahead.normal) <= 0.0;
     });
   });
 }

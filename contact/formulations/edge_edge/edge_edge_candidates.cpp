@@ -50,6 +50,7 @@ void EdgeEdgeContacts::begin_step() {
 
 void EdgeEdgeContacts::archive(StateArchive& saved) {
   contactsim::archive("contact/edge_pairs", candidates_, saved);
+  close_.forget();
   slips_now_.archive(saved);
   saved.list("contact/edges/depth", depth_now_);
 }
@@ -66,6 +67,7 @@ void EdgeEdgeContacts::remap(const ContactRemap& remap) {
   candidates_ = list_by_row<EdgeIndex, EdgeIndex>(contact_mesh_.edges.size(), [&](const auto& take) {
     for (const auto& [first, second] : kept) take(first, second);
   });
+  close_.forget();
   slips_now_.remap(remap);
   edges_of_node_ = list_edges_of_nodes(contact_mesh_);
   transfer(remap.edges, remap.n_edges_after, 0.0f, depth_before_);

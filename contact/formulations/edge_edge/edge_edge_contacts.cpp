@@ -2,6 +2,7 @@
 #include "contact/formulations/edge_edge/edge_edge_contacts.hpp"
 
 #include <algorithm>
+#include <iterator>
 #include <limits>
 
 #include "contact/formulations/contact_point_law.hpp"
@@ -19,6 +20,14 @@ constexpr double at_end = 1e-9;
 
 /// How deep edges may be before they back up nodes, over the thinner side: nodes come first.
 constexpr double left_to_nodes = 0.02;
+
+/// What make_contact_point() leaves of pairs of sharp edges that have touched nothing. Before the first step
+/// they may be as deep as an element is thick.
+EdgeBounds::Reach reach_of_untouched(const ContactStepContext& context) {
+  const double shift = context.rules.largest_shift();
+  if (!(context.dt > 0.0)) return {context.ahead(), shift, 1.0};
+  return {context.ahead() + context.dt, shift, std::max(shallow_depth + left_to_nodes, closed_share)};
+}
 
 bool is_inside(double share) { return share > at_end && share < 1.0 - at_end; }
 
@@ -154,7 +163,21 @@ bool EdgeEdgeContacts::are_held(const ContactStepContext& context, PairIndex pai
 }
 
 void EdgeEdgeContacts::begin_detection(const ContactStepContext& context) {
-  bounds_.update(context.kinematics, depth_before_);
+  if (context.candidates == CandidateUse::close)
+    return bounds_.update(context.kinematics, close_edges_, depth_before_);
+  const IndexRange<EdgeIndex> all = indices(contact_mesh_.edges);
+  if (all_edges_.size() != contact_mesh_.edges.size()) all_edges_.assign(all.begin(), all.end());
+  bounds_.update(context.kinematics, all_edges_, depth_before_);
+  if (context.candidates != CandidateUse::renew_close) return;
+  close_.renew_pairs<EdgeBounds::Pairs>(
+      candidates_, [&](const auto& pairs) { return bounds_.may_cross(pairs, context.close_range.motion); });
+  IndexedVector<EdgeIndex, std::uint8_t> is_close(contact_mesh_.edges.size(), 0);
+  close_.visit_close([&](EdgeIndex first, std::size_t position) {
+    is_close[first] = is_close[candidates_.partner(position)] = 1;
+  });
+  close_edges_.clear();
+  std::ranges::copy_if(all_edges_, std::back_inserter(close_edges_),
+                       [&](EdgeIndex edge) { return is_close[edge] != 0; });
 }
 
 /// As FaceFaceContacts::detect().
@@ -172,8 +195,9 @@ void EdgeEdgeContacts::detect(const ContactStepContext& context, CandidateRows r
     for (std::uint32_t left = near_before; left != 0; left &= left - 1)
       detect_one(context, before.first[first_lane(left)], before.second[first_lane(left)], points);
   };
+  const EdgeBounds::Reach reach = reach_of_untouched(context);
   const auto cull_pairs = [&] {
-    const std::uint32_t near = bounds_.may_touch(pairs, context.ahead(), context.rules.largest_reach());
+    const std::uint32_t near = bounds_.may_touch(pairs, reach);
     for (std::uint32_t left = near; left != 0; left &= left - 1) {
       const EdgeIndex second = pairs.second[first_lane(left)];
       prefetch(contact_mesh_.edges[second]);
@@ -184,14 +208,12 @@ void EdgeEdgeContacts::detect(const ContactStepContext& context, CandidateRows r
     near_before = near;
     pairs.n = 0;
   };
-  for (const EdgeIndex row : rows.indices<EdgeIndex>()) {
-    for (std::size_t k = candidates_.first_pair(row); k < candidates_.end_pair(row); ++k) {
-      pairs.add(row, candidates_.partner(k));
-      const std::size_t later = k + n_float_lanes;
-      if (later < n_candidates()) bounds_.prefetch(candidates_.partner(later));
-      if (pairs.are_full()) cull_pairs();
-    }
-  }
+  close_.visit(
+      candidates_, rows, context.candidates, [&](EdgeIndex second) { bounds_.prefetch(second); },
+      [&](EdgeIndex first, std::size_t k) {
+        pairs.add(first, candidates_.partner(k), k);
+        if (pairs.are_full()) cull_pairs();
+      });
   cull_pairs();
   detect_before();
 }

@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include "contact/formulations/close_candidates.hpp"
 #include "contact/formulations/contact_formulation.hpp"
 #include "contact/formulations/edge_edge/edge_bounds.hpp"
 #include "contact/formulations/edge_edge/edge_slips.hpp"
@@ -24,9 +25,14 @@ class EdgeEdgeContacts {
   void find_candidates(ContactSearch& search, const ContactKinematics& kinematics, const Motion& motion);
   /// Goes over to candidates.
   ///   candidates  rows of edges with others of greater number
-  void take_candidates(EdgePairLists candidates) { candidates_ = std::move(candidates); }
+  void take_candidates(EdgePairLists candidates) {
+    candidates_ = std::move(candidates);
+    close_.forget();
+  }
   std::size_t n_rows() const { return candidates_.n_rows(); }
   std::size_t n_candidates() const { return candidates_.partners.size(); }
+  std::size_t n_close() const { return close_.size(); }
+  void forget_close() { close_.forget(); }
   /// Edges need no bounds of faces.
   void watch(IndexedVector<FaceIndex, std::uint8_t>& /*is_watched*/) const {}
 
@@ -70,6 +76,8 @@ class EdgeEdgeContacts {
 
   const ContactMesh& contact_mesh_;
   EdgePairLists candidates_;
+  CloseCandidates<EdgeIndex, EdgeIndex> close_;
+  std::vector<EdgeIndex> all_edges_, close_edges_;        // of the mesh, of close candidates
   EdgeBounds bounds_;                                     // of the step
   PairLists<ContactNodeIndex, EdgeIndex> edges_of_node_;  // [n_contact_nodes] round ones, by first_alike
   EdgeSlips slips_before_, slips_now_;                    // in the last step and in this one

@@ -46,6 +46,7 @@ void FaceFaceContacts::find_candidates(ContactSearch& search, const ContactKinem
 void FaceFaceContacts::take_candidates(FacePairLists candidates) {
   history_.transfer(candidates_, candidates);
   candidates_ = std::move(candidates);
+  close_.forget();
 }
 
 void FaceFaceContacts::watch(IndexedVector<FaceIndex, std::uint8_t>& is_watched) const {
@@ -53,6 +54,13 @@ void FaceFaceContacts::watch(IndexedVector<FaceIndex, std::uint8_t>& is_watched)
     if (!candidates_.of(row).empty()) is_watched[row] = 1;
     for (const FaceIndex partner : candidates_.of(row)) is_watched[partner] = 1;
   }
+}
+
+void FaceFaceContacts::watch_close(IndexedVector<FaceIndex, std::uint8_t>& is_watched) const {
+  if (!start_partners_.empty()) return watch(is_watched);
+  close_.visit_close([&](FaceIndex first, std::size_t position) {
+    is_watched[first] = is_watched[candidates_.partner(position)] = 1;
+  });
 }
 
 void FaceFaceContacts::mark_close(const ContactStepContext& context, double size_share,
@@ -87,12 +95,14 @@ void FaceFaceContacts::remap(const ContactRemap& remap) {
   std::vector<std::size_t> before;
   candidates_ = transferred(candidates_, remap.faces, remap.faces, remap.n_faces_after, before);
   history_.remap(remap, before);
+  close_.forget();
   widest_reach_ = widest_reach(contact_mesh_, rules_);
   released_ = start_partners_.remap(remap.faces, remap.faces, remap.n_faces_after);
 }
 
 void FaceFaceContacts::archive(StateArchive& saved) {
   contactsim::archive("contact/face_pairs", candidates_, saved);
+  close_.forget();
   history_.archive(saved);
   start_partners_.archive("contact/start_faces", saved);
 }

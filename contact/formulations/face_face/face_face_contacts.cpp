@@ -21,6 +21,16 @@ constexpr double slide_depth = 0.1;
 
 }  // namespace
 
+void FaceFaceContacts::begin_detection(const ContactStepContext& context) {
+  if (!culls(context)) return;
+  bounds_.update(context.kinematics);
+  if (context.candidates != CandidateUse::renew_close) return;
+  bounds_.find_turns(context.kinematics, context.close_range.motion);
+  const double reach = widest_reach_ + context.close_range.reach;
+  close_.renew_pairs<FacePairBounds::Pairs>(
+      candidates_, [&](const auto& pairs) { return bounds_.may_meet(pairs, context.close_range, reach); });
+}
+
 /// Sixteen candidates are culled, and what is known of those that are left fetched, before those that were
 /// left of the sixteen before are looked at.
 void FaceFaceContacts::detect(const ContactStepContext& context, CandidateRows rows,
@@ -57,14 +67,14 @@ void FaceFaceContacts::detect(const ContactStepContext& context, CandidateRows r
     near_before = near;
     pairs.n = 0;
   };
-  for (const FaceIndex first : rows.indices<FaceIndex>()) {
-    for (std::size_t k = candidates_.first_pair(first); k < candidates_.end_pair(first); ++k) {
-      pairs.add(first, candidates_.partner(k), k);
-      const std::size_t later = k + n_float_lanes;
-      if (does_cull && later < n_candidates()) bounds_.prefetch(candidates_.partner(later));
-      if (pairs.are_full()) cull_pairs();
-    }
-  }
+  const auto prefetch_bound = [&](FaceIndex second) {
+    if (does_cull) bounds_.prefetch(second);
+  };
+  close_.visit(candidates_, rows, does_cull ? context.candidates : CandidateUse::all, prefetch_bound,
+               [&](FaceIndex first, std::size_t k) {
+                 pairs.add(first, candidates_.partner(k), k);
+                 if (pairs.are_full()) cull_pairs();
+               });
   cull_pairs();
   detect_before();
   end_meetings(context, meetings, points);

@@ -3,6 +3,7 @@
 
 #include <span>
 
+#include "contact/formulations/close_candidates.hpp"
 #include "contact/formulations/contact_formulation.hpp"
 #include "contact/formulations/face_face/face_face_history.hpp"
 #include "contact/formulations/face_face/face_pair_bounds.hpp"
@@ -29,14 +30,18 @@ class FaceFaceContacts {
   std::size_t n_rows() const { return candidates_.n_rows(); }
   std::size_t n_candidates() const { return candidates_.partners.size(); }
   const FacePairLists& candidates() const { return candidates_; }
-  std::size_t bytes() const { return candidates_.bytes() + history_.bytes() + bounds_.bytes(); }
+  /// Those that renew_close has found, or all where faces are carried along.
+  std::size_t n_close() const { return start_partners_.empty() ? close_.size() : n_candidates(); }
+  void forget_close() { close_.forget(); }
+  std::size_t bytes() const {
+    return candidates_.bytes() + history_.bytes() + bounds_.bytes() + close_.bytes();
+  }
   void watch(IndexedVector<FaceIndex, std::uint8_t>& is_watched) const;
+  void watch_close(IndexedVector<FaceIndex, std::uint8_t>& is_watched) const;
 
   void begin_step() { history_.begin_step(candidates_, contact_mesh_.faces.size()); }
   void undo_begin_step() { history_.undo_begin_step(); }
-  void begin_detection(const ContactStepContext& context) {
-    if (culls(context)) bounds_.update(context.kinematics);
-  }
+  void begin_detection(const ContactStepContext& context);
   void detect(const ContactStepContext& context, CandidateRows rows, std::vector<ContactPoint>& points) const;
   void update(const ContactStepContext& context, CandidateRows rows, std::span<const ContactPoint> points) {
     if (rows.begin < rows.end) history_.update(context, candidates_, points);
@@ -148,6 +153,7 @@ class FaceFaceContacts {
   StartPartners<FaceIndex> start_partners_;
   std::vector<ReleasedPartner<FaceIndex>> released_;
   FaceFaceHistory history_;
+  CloseCandidates<FaceIndex, FaceIndex> close_;
   FacePairBounds bounds_;  // of the step
   double widest_reach_;    // of all pairs, but for what closes and what is taken off gaps [length]
 };

@@ -14,21 +14,33 @@ constexpr float lost_share = 1e-5f;
 
 void FacePairBounds::update(const ContactKinematics& kinematics) {
   const auto& faces = kinematics.contact_mesh().faces;
-  const auto n = static_cast<std::uint32_t>(faces.size());
-  bounds_.resize(n);
-  if (n == 0) return;
+  bounds_.resize(faces.size());
+  if (faces.empty()) return;
   positions_.begin(kinematics.x(faces[{0}].corners[0]));
+  const auto n = static_cast<std::uint32_t>(kinematics.n_bounded());
   parallel_for(n, threads_for(n), [&](std::uint32_t i) {
-    const FaceBound& bound = kinematics.bound({i});
-    bounds_[{i}] = {positions_.position(bound.centre()),
-                    bound.warp(),
-                    bound.normal(),
-                    bound.velocity(),
-                    bound.half(0),
-                    bound.half(1)};
+    const FaceIndex face = kinematics.bounded(i);
+    const FaceBound& bound = kinematics.bound(face);
+    bounds_[face] = {positions_.position(bound.centre()),
+                     bound.warp(),
+                     bound.normal(),
+                     bound.velocity(),
+                     bound.half(0),
+                     bound.half(1)};
   });
-  positions_.note_rounding(n, 8.0f,
-                           [&](std::uint32_t i) -> const Eigen::Vector3f& { return bounds_[{i}].centre; });
+  positions_.note_rounding(n, 8.0f, [&](std::uint32_t i) -> const Eigen::Vector3f& {
+    return bounds_[kinematics.bounded(i)].centre;
+  });
+}
+
+void FacePairBounds::find_turns(const ContactKinematics& kinematics, double motion) {
+  const auto& faces = kinematics.contact_mesh().faces;
+  turns_.resize(faces.size());
+  const std::size_t n = kinematics.n_bounded();
+  parallel_for(n, threads_for(n), [&](std::size_t i) {
+    const FaceIndex face = kinematics.bounded(i);
+    turns_[face] = largest_turn(kinematics.bound(face), faces[face].is_triangle(), motion);
+  });
 }
 
 /// The bounds of one side of all pairs.
@@ -55,30 +67,85 @@ struct FacePairBounds::BoundLanes {
   }
 };
 
-std::uint32_t FacePairBounds::may_touch(const Pairs& pairs, double ahead, double reach) const {
-  RecordLanes<Bound> of_first, of_second;
-  of_first.fill(
-      pairs.n, [&](std::size_t lane) -> const auto& { return bounds_[pairs.first[lane]]; });
-  of_second.fill(
-      pairs.n, [&](std::size_t lane) -> const auto& { return bounds_[pairs.second[lane]]; });
-  const BoundLanes a(of_first), b(of_second);
-  const VectorLanes velocity = b.velocity - a.velocity, apart = a.centre - b.centre;
-  const FloatLanes error = positions_.rounding() + lost_share * (a.size + b.size + taxicab(apart));
-  const FloatLanes closing = above_zero(velocity.dot(b.normal)) + lost_share * taxicab(velocity);
-  const FloatLanes height = apart.dot(b.normal), warp = a.warp + b.warp;
-  const FloatLanes activation_distance = closing * static_cast<float>(ahead) + static_cast<float>(reach);
-  FloatMask is_out =
-      a.normal.dot(b.normal) > static_cast<float>(max_facing_cosine_of_blade) + lost_share ||
-      (height > activation_distance * (1.0f + lost_share) + a.reach_along(b.normal) + warp + error);
-  // Seen along the common normal instead of the second face's, points move by this much.
-  const VectorLanes tilt{a.normal.x + b.normal.x, a.normal.y + b.normal.y, a.normal.z + b.normal.z};
-  const FloatLanes slack = warp + taxicab(tilt) * (magnitude(height) + 0.25f * (a.size + b.size)) + error;
-  for (std::size_t i = 0; i < 2; ++i) {
-    is_out = is_out || magnitude(apart.dot(b.half[i])) >
-                           a.reach_along(b.half[i]) + b.reach_along(b.half[i]) + slack * b.length[i];
-    is_out = is_out || magnitude(apart.dot(a.half[i])) >
-                           a.reach_along(a.half[i]) + b.reach_along(a.half[i]) + slack * a.length[i];
+/// What says that two faces of each lane do not touch.
+struct FacePairBounds::Apart {
+  VectorLanes apart;    // from the second centre to the first
+  FloatLanes distance;  // no less than theirs
+  FloatLanes error;     // of single precision [length]
+  FloatLanes height;    // of the first over the second
+  FloatLanes warp;
+  FloatLanes facing;  // cosine of the normals' angle
+  FloatLanes tilt;    // how far the normals are from opposite, at least [1]
+
+  Apart(const BoundLanes& a, const BoundLanes& b, float rounding)
+      : apart(a.centre - b.centre),
+        distance(taxicab(apart)),
+        error(rounding + lost_share * (a.size + b.size + distance)),
+        height(apart.dot(b.normal)),
+        warp(a.warp + b.warp),
+        facing(a.normal.dot(b.normal)),
+        tilt(taxicab({a.normal.x + b.normal.x, a.normal.y + b.normal.y, a.normal.z + b.normal.z})) {}
+
+  /// Whether faces look the same way, or are farther apart than the activation distance.
+  ///   turn  of both normals [1]
+  [[gnu::always_inline]] FloatMask are_away(const BoundLanes& a, const BoundLanes& b,
+                                            const FloatLanes& activation_distance,
+                                            const FloatLanes& turn) const {
+    return facing > static_cast<float>(max_facing_cosine_of_blade) + lost_share + turn ||
+           (height > activation_distance * (1.0f + lost_share) + a.reach_along(b.normal) + warp + error);
   }
+  /// Whether faces are beside each other.
+  ///   slack  [length]
+  [[gnu::always_inline]] FloatMask are_beside(const BoundLanes& a, const BoundLanes& b,
+                                              const FloatLanes& slack) const {
+    FloatMask is_out = magnitude(apart.dot(b.half[0])) >
+                       a.reach_along(b.half[0]) + b.reach_along(b.half[0]) + slack * b.length[0];
+    is_out = is_out || magnitude(apart.dot(a.half[0])) >
+                           a.reach_along(a.half[0]) + b.reach_along(a.half[0]) + slack * a.length[0];
+    is_out = is_out || magnitude(apart.dot(b.half[1])) >
+                           a.reach_along(b.half[1]) + b.reach_along(b.half[1]) + slack * b.length[1];
+    return is_out || magnitude(apart.dot(a.half[1])) >
+                         a.reach_along(a.half[1]) + b.reach_along(a.half[1]) + slack * a.length[1];
+  }
+};
+
+inline RecordLanes<FacePairBounds::Bound> FacePairBounds::bounds_of(
+    const std::array<FaceIndex, n_float_lanes>& faces, std::size_t n) const {
+  RecordLanes<Bound> records;
+  records.fill(
+      n, [&](std::size_t lane) -> const auto& { return bounds_[faces[lane]]; });
+  return records;
+}
+
+std::uint32_t FacePairBounds::may_touch(const Pairs& pairs, double ahead, double reach) const {
+  const BoundLanes a(bounds_of(pairs.first, pairs.n)), b(bounds_of(pairs.second, pairs.n));
+  const Apart sides(a, b, positions_.rounding());
+  const VectorLanes velocity = b.velocity - a.velocity;
+  const FloatLanes closing = above_zero(velocity.dot(b.normal)) + lost_share * taxicab(velocity);
+  const FloatLanes activation_distance = closing * static_cast<float>(ahead) + static_cast<float>(reach);
+  // Seen along the common normal instead of the second face's, points move by the tilt.
+  const FloatLanes slack =
+      sides.warp + sides.tilt * (magnitude(sides.height) + 0.25f * (a.size + b.size)) + sides.error;
+  const FloatMask is_out = sides.are_away(a, b, activation_distance, 0.0f) || sides.are_beside(a, b, slack);
+  return ~is_out.bits() & pairs.all();
+}
+
+/// Corners that have moved by d stay within d of where their face was, so that what parts these wider faces
+/// now parts the faces then. What is seen along the common normal depends on how normals turn meanwhile.
+std::uint32_t FacePairBounds::may_meet(const Pairs& pairs, const CloseRange& range, double reach) const {
+  const BoundLanes a(bounds_of(pairs.first, pairs.n)), b(bounds_of(pairs.second, pairs.n));
+  Apart sides(a, b, positions_.rounding());
+  FloatLanes::Numbers turns{};
+  for (std::size_t lane = 0; lane < pairs.n; ++lane)
+    turns[lane] = turns_[pairs.first[lane]] + turns_[pairs.second[lane]];
+  const FloatLanes turn(turns), both_move(2.0f * static_cast<float>(range.motion));
+  sides.warp += both_move;
+  const FloatLanes slack = sides.warp +
+                           (sides.tilt + 2.0f * turn) * (magnitude(sides.height) + both_move +
+                                                         turn * sides.distance + 0.25f * (a.size + b.size)) +
+                           sides.error;
+  const FloatLanes activation_distance(static_cast<float>(reach + range.soon));
+  const FloatMask is_out = sides.are_away(a, b, activation_distance, turn) || sides.are_beside(a, b, slack);
   return ~is_out.bits() & pairs.all();
 }
 

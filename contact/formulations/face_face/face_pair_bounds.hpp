@@ -4,9 +4,9 @@
 #include <array>
 #include <cstdint>
 
+#include "contact/formulations/contact_step_context.hpp"
 #include "contact/geometry/float_lanes.hpp"
 #include "contact/geometry/float_positions.hpp"
-#include "contact/mesh/contact_kinematics.hpp"
 #include "core/base/bytes_of.hpp"
 #include "core/base/indexed_vector.hpp"
 
@@ -15,7 +15,7 @@ namespace contactsim {
 /// Where faces are and how they move, a cache line each: enough to see that most candidates do not touch.
 class FacePairBounds {
  public:
-  /// Takes over the bounds of faces.
+  /// Takes over the bounds of faces that are those of now.
   void update(const ContactKinematics& kinematics);
   /// Some pairs of faces.
   struct Pairs {
@@ -37,9 +37,15 @@ class FacePairBounds {
   ///   ahead  within which they may close [time]
   ///   reach  gaps up to it count however slow faces close [length]
   std::uint32_t may_touch(const Pairs& pairs, double ahead, double reach) const;
+  /// Finds how far normals may turn while corners move by so much, before may_meet().
+  ///   motion  [length]
+  void find_turns(const ContactKinematics& kinematics, double motion);
+  /// Which pairs, as bits, may touch while corners stay in the range of motion of find_turns().
+  ///   reach  gaps up to it count besides what may close [length]
+  std::uint32_t may_meet(const Pairs& pairs, const CloseRange& range, double reach) const;
   /// Has the bound of a face fetched, while something else is done.
   [[gnu::always_inline]] void prefetch(FaceIndex face) const { __builtin_prefetch(&bounds_[face]); }
-  std::size_t bytes() const { return bytes_of(bounds_); }
+  std::size_t bytes() const { return bytes_of(bounds_) + bytes_of(turns_); }
 
  private:
   /// As a FaceBound has them, from an origin near all faces.
@@ -51,8 +57,11 @@ class FacePairBounds {
     Eigen::Vector3f half_0, half_1;  // [length]
   };
   struct BoundLanes;
+  struct Apart;
+  RecordLanes<Bound> bounds_of(const std::array<FaceIndex, n_float_lanes>& faces, std::size_t n) const;
 
   IndexedVector<FaceIndex, Bound> bounds_;
+  IndexedVector<FaceIndex, float> turns_;  // by which normals may turn, of find_turns() [1]
   FloatPositions positions_;
 };
 

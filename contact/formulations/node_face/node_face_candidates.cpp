@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <algorithm>
+
 #include "contact/formulations/near_pairs.hpp"
 #include "contact/formulations/node_face/node_face_contacts.hpp"
 #include "contact/formulations/start_gaps.hpp"
@@ -8,23 +10,38 @@ namespace contactsim {
 void NodeFaceContacts::find_candidates(ContactSearch& search, const ContactKinematics& kinematics,
                                        const Motion& motion) {
   search.find_node_faces(kinematics, motion, depths(), candidates_);
+  close_.forget();
   if (search.keeps_first_partners() && search.n_searches() == 0)
     start_partners_.begin_nodes(kinematics, rules_, candidates_);
   if (!start_partners_.empty()) candidates_ = start_partners_.united_with(rules_, candidates_);
 }
 
+void NodeFaceContacts::watch_around(SurfaceNodeIndex row, FaceIndex face,
+                                    IndexedVector<FaceIndex, std::uint8_t>& is_watched) const {
+  for (const FaceIndex own : contact_mesh_.faces_of_node.of(contact_mesh_.surface_nodes[row].node))
+    is_watched[own] = 1;
+  is_watched[face] = 1;
+  for (const ContactNodeIndex corner : contact_mesh_.faces[face].corners) {
+    for (const FaceIndex neighbour : contact_mesh_.faces_of_node.of(corner)) is_watched[neighbour] = 1;
+  }
+}
+
 void NodeFaceContacts::watch(IndexedVector<FaceIndex, std::uint8_t>& is_watched) const {
   for (const SurfaceNodeIndex row : candidates_.rows()) {
-    if (candidates_.of(row).empty()) continue;
-    for (const FaceIndex own : contact_mesh_.faces_of_node.of(contact_mesh_.surface_nodes[row].node))
-      is_watched[own] = 1;
-    for (const FaceIndex face : candidates_.of(row)) {
-      is_watched[face] = 1;
-      for (const ContactNodeIndex corner : contact_mesh_.faces[face].corners) {
-        for (const FaceIndex neighbour : contact_mesh_.faces_of_node.of(corner)) is_watched[neighbour] = 1;
-      }
-    }
+    for (const FaceIndex face : candidates_.of(row)) watch_around(row, face, is_watched);
   }
+}
+
+void NodeFaceContacts::watch_close(IndexedVector<FaceIndex, std::uint8_t>& is_watched) const {
+  if (!leaves_out()) return watch(is_watched);
+  close_.visit_close([&](SurfaceNodeIndex row, std::size_t position) {
+    watch_around(row, candidates_.partner(position), is_watched);
+  });
+}
+
+bool NodeFaceContacts::leaves_out() const {
+  return start_partners_.empty() &&
+         std::ranges::none_of(rules_.rules(), [](const PairRule& rule) { return rule.may_act_apart(); });
 }
 
 void NodeFaceContacts::mark_close(const ContactStepContext& context, double size_share,
@@ -45,12 +62,14 @@ void NodeFaceContacts::add_start_gaps(const ContactStepContext& context, FoundSt
 void NodeFaceContacts::remap(const ContactRemap& remap) {
   std::vector<std::size_t> before;
   candidates_ = transferred(candidates_, remap.rows, remap.faces, remap.n_rows_after, before);
+  close_.forget();
   history_.remap(remap);
   released_ = start_partners_.remap(remap.rows, remap.faces, remap.n_rows_after);
 }
 
 void NodeFaceContacts::archive(StateArchive& saved) {
   contactsim::archive("contact/node_pairs", candidates_, saved);
+  close_.forget();
   history_.archive(saved);
   start_partners_.archive("contact/start_nodes", saved);
 }

@@ -4,6 +4,7 @@
 #include <span>
 #include <vector>
 
+#include "contact/formulations/close_candidates.hpp"
 #include "contact/formulations/contact_formulation.hpp"
 #include "contact/formulations/node_face/node_areas.hpp"
 #include "contact/formulations/node_face/node_face_history.hpp"
@@ -26,19 +27,24 @@ class NodeFaceContacts {
 
   void find_candidates(ContactSearch& search, const ContactKinematics& kinematics, const Motion& motion);
   /// Goes over to candidates: rows of surface nodes with faces.
-  void take_candidates(NodeFaceLists candidates) { candidates_ = std::move(candidates); }
+  void take_candidates(NodeFaceLists candidates) {
+    candidates_ = std::move(candidates);
+    close_.forget();
+  }
   std::size_t n_rows() const { return candidates_.n_rows(); }
   std::size_t n_candidates() const { return candidates_.partners.size(); }
   const NodeFaceLists& candidates() const { return candidates_; }
-  std::size_t bytes() const { return candidates_.bytes() + bounds_.bytes(); }
+  /// Those that renew_close has found, or all where none are left out.
+  std::size_t n_close() const { return leaves_out() ? close_.size() : n_candidates(); }
+  void forget_close() { close_.forget(); }
+  std::size_t bytes() const { return candidates_.bytes() + bounds_.bytes() + close_.bytes(); }
   /// A node needs the bounds of its own faces, too, and of those around the faces that it may touch.
   void watch(IndexedVector<FaceIndex, std::uint8_t>& is_watched) const;
+  void watch_close(IndexedVector<FaceIndex, std::uint8_t>& is_watched) const;
 
   void begin_step() { history_.begin_step(); }
   void undo_begin_step() {}
-  void begin_detection(const ContactStepContext& context) {
-    if (n_candidates() > 0) bounds_.update(context);
-  }
+  void begin_detection(const ContactStepContext& context);
   void detect(const ContactStepContext& context, CandidateRows rows, std::vector<ContactPoint>& points) const;
   void update(const ContactStepContext& context, CandidateRows rows, std::span<const ContactPoint> points) {
     history_.update(context, rows.begin / rows_per_chunk, points);
@@ -70,9 +76,18 @@ class NodeFaceContacts {
   struct FaceInReach;
   class Projection;
 
-  /// Gives the projection the faces that the node may touch as far as bounds tell.
-  void find_faces_in_reach(const ContactStepContext& context, SurfaceNodeIndex row,
-                           Projection& projection) const;
+  template <class Take>
+  class Reaching;
+
+  /// Whether candidates that are not close may be left out. Laws across a gap ask for all faces around what
+  /// they act on, and what slides infinitesimally goes beyond the edges of its face.
+  bool leaves_out() const;
+  CandidateUse use(const ContactStepContext& context) const {
+    return leaves_out() ? context.candidates : CandidateUse::all;
+  }
+  /// Marks the faces of which a node reads the bounds that may touch a face.
+  void watch_around(SurfaceNodeIndex row, FaceIndex face,
+                    IndexedVector<FaceIndex, std::uint8_t>& is_watched) const;
   bool may_touch(const ContactStepContext& context, const FaceInReach& in_reach,
                  const NodeReach::Limits& limits) const;
   /// Of the node's sphere, on the surface that the face stands for.
@@ -115,6 +130,7 @@ class NodeFaceContacts {
   const ContactMesh& contact_mesh_;
   const PairRules& rules_;
   NodeFaceLists candidates_;
+  CloseCandidates<SurfaceNodeIndex, FaceIndex> close_;
   StartPartners<SurfaceNodeIndex> start_partners_;
   std::vector<ReleasedPartner<SurfaceNodeIndex>> released_;
   NodeFaceHistory history_;

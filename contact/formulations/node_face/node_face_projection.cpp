@@ -79,47 +79,97 @@ class NodeFaceContacts::Projection {
   NearFaces near_faces_;
 };
 
+/// Candidates row by row, faces of one surface at a time, as many as fit into lanes.
+template <class Take>
+class NodeFaceContacts::Reaching {
+ public:
+  /// All must outlive it.
+  ///   take  takes this
+  Reaching(const NodeFaceContacts& contacts, const ContactStepContext& context, const Take& take)
+      : contacts_(contacts), context_(context), take_(take) {}
+
+  void add(SurfaceNodeIndex row, std::size_t position) {
+    const FaceIndex face = contacts_.candidates_.partner(position);
+    const SurfaceIndex surface = contacts_.bounds_[face].surface;
+    if (!reach_ || row != row_ || surface != surface_) {
+      take();
+      if (!reach_ || row != row_) history_ = contacts_.history_.of(row);
+      reach_.emplace(context_, contacts_.bounds_, row, surface, !history_.face_histories.empty());
+      row_ = row;
+      surface_ = surface;
+    } else if (faces_.are_full()) {
+      take();
+    }
+    positions_[faces_.size()] = position;
+    faces_.add(face);
+  }
+  /// Has those that are left taken.
+  void take() {
+    if (faces_.size() > 0) take_(*this);
+    faces_.clear();
+  }
+
+  const NodeReach& reach() const { return *reach_; }
+  SurfaceNodeIndex row() const { return row_; }
+  const NodeHistory& history() const { return history_; }
+  /// Among the candidates.
+  std::size_t position(std::size_t lane) const { return positions_[lane]; }
+  NodeReach::Faces& faces() { return faces_; }
+
+ private:
+  const NodeFaceContacts& contacts_;
+  const ContactStepContext& context_;
+  const Take& take_;
+  std::optional<NodeReach> reach_;
+  SurfaceNodeIndex row_;
+  SurfaceIndex surface_;
+  NodeHistory history_;
+  NodeReach::Faces faces_;
+  std::array<std::size_t, n_float_lanes> positions_;
+};
+
+void NodeFaceContacts::begin_detection(const ContactStepContext& context) {
+  if (n_candidates() == 0) return;
+  bounds_.update(context);
+  if (use(context) != CandidateUse::renew_close) return;
+  bounds_.find_turns(context.kinematics, context.close_range.motion);
+  close_.renew(candidates_, [&](CandidateRows rows, const auto& take) {
+    const auto take_close = [&](auto& reaching) {
+      for (std::uint32_t left = reaching.reach().find_close(bounds_, reaching.faces(), context.close_range);
+           left != 0; left &= left - 1)
+        take(reaching.row(), reaching.position(first_lane(left)));
+    };
+    Reaching reaching(*this, context, take_close);
+    close_.visit(
+        candidates_, rows, CandidateUse::all, [](FaceIndex) {},
+        [&](SurfaceNodeIndex row, std::size_t k) { reaching.add(row, k); });
+    reaching.take();
+  });
+}
+
 void NodeFaceContacts::detect(const ContactStepContext& context, CandidateRows rows,
                               std::vector<ContactPoint>& points) const {
   Projection projection(*this, context, points);
-  for (const SurfaceNodeIndex row : rows.indices<SurfaceNodeIndex>()) {
-    const SurfaceNodeIndex next{row.value + 1};
-    if (next.value < rows.end) {
-      for (const FaceIndex face : candidates_.of(next)) prefetch(bounds_[face]);
-    }
-    if (!candidates_.of(row).empty()) find_faces_in_reach(context, row, projection);
-  }
-  projection.finish();
-}
-
-void NodeFaceContacts::find_faces_in_reach(const ContactStepContext& context, SurfaceNodeIndex row,
-                                           Projection& projection) const {
-  const NodeHistory node_history = history_.of(row);
-  const bool is_known = !node_history.face_histories.empty();
-  std::optional<NodeReach> reach;
-  NodeReach::Faces faces;
-  const auto add_faces = [&] {
-    for (std::uint32_t left = reach->find(bounds_, faces); left != 0; left &= left - 1) {
+  const auto take_reached = [&](auto& reaching) {
+    const NodeReach& reach = reaching.reach();
+    const PairRule& rule = reach.rule();
+    if (rule.is_balanced != context.balances) return;
+    for (std::uint32_t left = reach.find(bounds_, reaching.faces()); left != 0; left &= left - 1) {
       const std::size_t lane = first_lane(left);
-      const FaceIndex face = faces.face(lane);
-      const PairRule& rule = reach->rule();
-      const bool keeps_plane =
-          rule.pair->behavior == InteractionBehavior::infinitesimal_sliding && start_partners_.has(row, face);
-      const FaceInReach in_reach{
-          row, face, reach->pair(), &rule, node_history, reach->offset(), reach->deeper(), keeps_plane};
-      projection.add(in_reach, faces.limits(lane));
+      const FaceIndex face = reaching.faces().face(lane);
+      const bool keeps_plane = rule.pair->behavior == InteractionBehavior::infinitesimal_sliding &&
+                               start_partners_.has(reaching.row(), face);
+      projection.add({reaching.row(), face, reach.pair(), &rule, reaching.history(), reach.offset(),
+                      reach.deeper(), keeps_plane},
+                     reaching.faces().limits(lane));
     }
-    faces.clear();
   };
-  std::optional<SurfaceIndex> surface;  // that the reach is for
-  for (const FaceIndex face : candidates_.of(row)) {
-    const ReachBounds::Bound& bound = bounds_[face];
-    if (surface && (surface != bound.surface || faces.are_full())) add_faces();
-    if (surface != bound.surface) reach.emplace(context, bounds_, row, bound.surface, is_known);
-    surface = bound.surface;
-    if (reach->rule().is_balanced == context.balances) faces.add(face);
-  }
-  if (surface) add_faces();
+  Reaching reaching(*this, context, take_reached);
+  close_.visit(
+      candidates_, rows, use(context), [&](FaceIndex face) { prefetch(bounds_[face]); },
+      [&](SurfaceNodeIndex row, std::size_t k) { reaching.add(row, k); });
+  reaching.take();
+  projection.finish();
 }
 
 bool NodeFaceContacts::may_touch(const ContactStepContext& context, const FaceInReach& in_reach,

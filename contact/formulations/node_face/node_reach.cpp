@@ -31,12 +31,12 @@ std::optional<float> to_float(const std::optional<double>& value) {
 void ReachBounds::update(const ContactStepContext& context) {
   const ContactKinematics& now = context.kinematics;
   const auto& faces = now.contact_mesh().faces;
-  const auto n = static_cast<std::uint32_t>(faces.size());
-  bounds_.resize(n);
-  if (n == 0) return;
+  bounds_.resize(faces.size());
+  if (faces.empty()) return;
   positions_.begin(now.x(faces[{0}].corners[0]));
+  const auto n = static_cast<std::uint32_t>(now.n_bounded());
   parallel_for(n, threads_for(n), [&](std::uint32_t i) {
-    const FaceIndex face{i};
+    const FaceIndex face = now.bounded(i);
     const FaceBound& bound = now.bound(face);
     bounds_[face] = {position(bound.centre()),
                      bound.radius(),
@@ -49,8 +49,18 @@ void ReachBounds::update(const ContactStepContext& context) {
                      static_cast<float>(flush_width(context, face)),
                      faces[face].surface};
   });
-  positions_.note_rounding(n, 8.0f,
-                           [&](std::uint32_t i) -> const Eigen::Vector3f& { return bounds_[{i}].centre; });
+  positions_.note_rounding(
+      n, 8.0f, [&](std::uint32_t i) -> const Eigen::Vector3f& { return bounds_[now.bounded(i)].centre; });
+}
+
+void ReachBounds::find_turns(const ContactKinematics& kinematics, double motion) {
+  const auto& faces = kinematics.contact_mesh().faces;
+  turns_.resize(faces.size());
+  const std::size_t n = kinematics.n_bounded();
+  parallel_for(n, threads_for(n), [&](std::size_t i) {
+    const FaceIndex face = kinematics.bounded(i);
+    turns_[face] = largest_turn(kinematics.bound(face), faces[face].is_triangle(), motion);
+  });
 }
 
 NodeReach::NodeReach(const ContactStepContext& context, const ReachBounds& bounds, SurfaceNodeIndex row,
@@ -71,6 +81,8 @@ NodeReach::NodeReach(const ContactStepContext& context, const ReachBounds& bound
   const double margin = context.balances ? closed_share * thickness : 0.0;
   const double held = is_known ? rule_->pair->held_gap(thickness) : 0.0;
   before_ = static_cast<float>(std::max({rule_->activation_distance, margin, held}));
+  ever_before_ = static_cast<float>(
+      std::max({rule_->activation_distance, closed_share * thickness, rule_->pair->held_gap(thickness)}));
   shallow_ = static_cast<float>(shallow_depth * thickness);
   normal_tolerance_ = to_float(rule_->pair->normal_tolerance);
   tangential_tolerance_ = to_float(rule_->pair->tangential_tolerance);
@@ -115,6 +127,38 @@ std::uint32_t NodeReach::find(const ReachBounds& bounds, Faces& faces) const {
     const FloatLanes turned = 2.0f * warp / radius + lean;
     const FloatLanes reach = radius + rough + faces.beyond_ + turned * magnitude(height);
     is_out = is_out || away.dot(away) - height * height > reach * reach * (1.0f + rounding_share);
+  }
+  return ~is_out.bits() & ((1u << faces.n_) - 1);
+}
+
+/// As find(), with all that may have changed at the end of the range: by d each of the node and the corners,
+/// so that their distance is by 2 d, the warp by d, the radius by 2 d, and by the turn of the normal.
+std::uint32_t NodeReach::find_close(const ReachBounds& bounds, const Faces& faces,
+                                    const CloseRange& range) const {
+  RecordLanes<ReachBounds::Bound> of;
+  of.fill(
+      faces.n_, [&](std::size_t lane) -> const auto& { return bounds[faces.faces_[lane]]; });
+  FloatLanes::Numbers turns{};
+  for (std::size_t lane = 0; lane < faces.n_; ++lane) turns[lane] = bounds.turn(faces.faces_[lane]);
+  const auto d = static_cast<float>(range.motion);
+  const VectorLanes away = VectorLanes::all(x_) - of.vector(0), normal = of.vector(4);
+  const FloatLanes radius = of[3] + 2.0f * d, least_radius = of[3] - 2.0f * d, warp = of[11] + d,
+                   lean = of[12];
+  const FloatLanes height = away.dot(normal), distance = taxicab(away);
+  const FloatLanes moved = 2.0f * d + FloatLanes(turns) * distance;
+  const FloatLanes rough = warp + rounding_ + rounding_share * (radius + magnitude(height) + moved) * 2.0f;
+  const auto soon = static_cast<float>(range.soon), reach = static_cast<float>(range.reach);
+  const float above = ever_before_ + soon + reach + radius_ + rounding_;
+  FloatMask is_out = height > above * (1.0f + rounding_share) + moved + rough;
+  if (!goes_anywhere_) {
+    const FloatLanes allowed = tangential_tolerance_ ? FloatLanes(*tangential_tolerance_)
+                                                     : static_cast<float>(automatic_beyond) * radius;
+    const FloatLanes beyond = allowed + above_zero(warp - height + moved) + (radius_ + rounding_);
+    const FloatLanes turned = 2.0f * warp / least_radius + lean;
+    const FloatLanes aside = radius + rough + beyond + turned * (magnitude(height) + moved) + moved;
+    const FloatMask is_beside = least_radius > 0.0f && away.dot(away) - height * height >
+                                                           aside * aside * (1.0f + 4.0f * rounding_share);
+    is_out = is_out || is_beside;
   }
   return ~is_out.bits() & ((1u << faces.n_) - 1);
 }

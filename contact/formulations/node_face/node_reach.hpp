@@ -30,16 +30,21 @@ class ReachBounds {
     SurfaceIndex surface;
   };
 
-  /// Takes over where faces are.
+  /// Takes over where faces are, those whose bounds are those of now.
   void update(const ContactStepContext& context);
+  /// Finds how far normals may turn while corners move by so much, before NodeReach::find_close().
+  ///   motion  [length]
+  void find_turns(const ContactKinematics& kinematics, double motion);
+  float turn(FaceIndex face) const { return turns_[face]; }
   const Bound& operator[](FaceIndex face) const { return bounds_[face]; }
   Eigen::Vector3f position(const Eigen::Vector3d& x) const { return positions_.position(x); }
   /// Of positions in single precision, at most [length].
   float rounding() const { return positions_.rounding(); }
-  std::size_t bytes() const { return bytes_of(bounds_); }
+  std::size_t bytes() const { return bytes_of(bounds_) + bytes_of(turns_); }
 
  private:
   IndexedVector<FaceIndex, Bound> bounds_;
+  IndexedVector<FaceIndex, float> turns_;  // [1]
   FloatPositions positions_;
 };
 
@@ -58,6 +63,7 @@ class NodeReach {
    public:
     void clear() { n_ = 0; }
     bool are_full() const { return n_ == n_float_lanes; }
+    std::size_t size() const { return n_; }
     void add(FaceIndex face) { faces_[n_++] = face; }
     FaceIndex face(std::size_t lane) const { return faces_[lane]; }
     Limits limits(std::size_t lane) const { return {above_[lane], below_[lane], beyond_[lane]}; }
@@ -80,6 +86,9 @@ class NodeReach {
   double deeper() const { return deeper_; }
   /// Finds the limits of faces. Returns which of them, as bits, the node may touch.
   std::uint32_t find(const ReachBounds& bounds, Faces& faces) const;
+  /// Which of them, as bits, the node may touch while it and the corners stay in a range of motion, but
+  /// before the first step. The bounds know how normals turn meanwhile.
+  std::uint32_t find_close(const ReachBounds& bounds, const Faces& faces, const CloseRange& range) const;
 
  private:
   Eigen::Vector3f x_, v_;
@@ -88,9 +97,10 @@ class NodeReach {
   const PairRule* rule_ = nullptr;
   double offset_ = 0.0, deeper_ = 0.0;
   float dt_ = 0.0f, ahead_ = 0.0f;
-  float before_ = 0.0f;   // gaps up to it count however slow sides close [length]
-  float radius_ = 0.0f;   // of a sphere [length]
-  float shallow_ = 0.0f;  // how deep what touched nothing may be [length]
+  float before_ = 0.0f;       // gaps up to it count however slow sides close [length]
+  float ever_before_ = 0.0f;  // the same however the pair is enforced, and whatever it touched [length]
+  float radius_ = 0.0f;       // of a sphere [length]
+  float shallow_ = 0.0f;      // how deep what touched nothing may be [length]
   std::optional<float> normal_tolerance_, tangential_tolerance_;  // [length]
   bool comes_from_outside_;                                       // it touched nothing, and is no deeper
   bool is_known_, goes_anywhere_;
