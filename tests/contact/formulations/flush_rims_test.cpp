@@ -98,6 +98,17 @@ TEST_CASE("the width of a strip is some times the depth of the last step", "[con
   CHECK(flush_width(blocks.parts.context(0.1), blocks.bottom) == 0.0);  // nothing is known
 }
 
+TEST_CASE("a strip is one by where the faces beyond its rims are now, followed or not",
+          "[contact][flush_rims]") {
+  FlushBlocks blocks(0.01, 0.01);
+  ContactParts& parts = blocks.parts;
+  parts.x = (Eigen::AngleAxisd(1.5, Vector3d::UnitX()).toRotationMatrix() * parts.x).eval();
+  parts.kinematics.move_nodes(parts.motion());
+  parts.kinematics.watch({blocks.in_joint, blocks.side});
+  parts.kinematics.bound_watched();
+  CHECK(blocks.is_flush());
+}
+
 TEST_CASE("nodes of the strip meet no side faces either", "[contact][flush_rims]") {
   const FlushBlocks blocks(0.01, 0.01), others(0.2, 0.01);
   const auto is_flush = [](const FlushBlocks& of) {
