@@ -8,6 +8,7 @@
 #include <cstdlib>
 #include <cstring>
 #include <filesystem>
+#include <vector>
 
 #include "core/base/errors.hpp"
 
@@ -31,8 +32,11 @@ std::filesystem::path find_library() {
 }  // namespace
 
 int n_started_processes() {
-  // Of Open MPI; MPICH and Intel MPI; Slurm where it starts MPI programs itself.
-  for (const char* name : {"OMPI_COMM_WORLD_SIZE", "PMI_SIZE", "PMIX_SIZE"}) {
+  // Of Open MPI; MPICH and Intel MPI; Slurm where it starts MPI programs itself, by PMIx of tasks that it
+  // counts.
+  std::vector<const char*> names{"OMPI_COMM_WORLD_SIZE", "PMI_SIZE", "PMIX_SIZE"};
+  if (std::getenv("PMIX_RANK") != nullptr) names.push_back("SLURM_STEP_NUM_TASKS");
+  for (const char* name : names) {
     const char* value = std::getenv(name);
     int n = 0;
     if (value == nullptr) continue;

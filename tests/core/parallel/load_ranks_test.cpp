@@ -39,6 +39,14 @@ TEST_CASE("Open MPI and MPICH say how many processes they have started", "[core]
   CHECK(n_started_processes() == 1);
 }
 
+TEST_CASE("Slurm says how many tasks a step has, which are of one run where PMIx binds them",
+          "[core][load_ranks]") {
+  const Variable tasks("SLURM_STEP_NUM_TASKS", "6");
+  CHECK(n_started_processes() == 1);
+  const Variable rank("PMIX_RANK", "3");
+  CHECK(n_started_processes() == 6);
+}
+
 TEST_CASE("several processes without the library of MPI beside the program are refused",
           "[core][load_ranks]") {
   const Variable size("OMPI_COMM_WORLD_SIZE", "2");
