@@ -210,6 +210,14 @@ void ContactKinematics::bound(Faces which) {
   parallel_for(n, threads_for(n), [&](std::size_t i) { set_bound(bounded(i)); });
 }
 
+void ContactKinematics::find_turns(double motion, IndexedVector<FaceIndex, float>& turns) const {
+  turns.resize(contact_mesh_.faces.size());
+  parallel_for(n_bounded(), threads_for(n_bounded()), [&](std::size_t i) {
+    const FaceIndex face = bounded(i);
+    turns[face] = largest_turn(bounds_[face], contact_mesh_.faces[face].is_triangle(), motion);
+  });
+}
+
 double ContactKinematics::largest_speed() const {
   const auto n = static_cast<std::uint32_t>(contact_mesh_.n_nodes());
   return std::sqrt(

@@ -57,6 +57,11 @@ class ContactKinematics {
   std::size_t n_bounded() const { return n_faces(bounded_); }
   FaceIndex bounded(std::size_t i) const { return face_of(bounded_, i); }
 
+  /// By how much the normals of those faces may turn while their corners move by so much, at most.
+  ///   motion  [length]
+  ///   turns   [n_faces] those of these faces are set [1]
+  void find_turns(double motion, IndexedVector<FaceIndex, float>& turns) const;
+
   /// What no contact node has moved farther than since another moment, when this was less by that [length].
   double path() const { return path_; }
   /// Of the velocities of v() [length/time].

@@ -33,16 +33,6 @@ void FacePairBounds::update(const ContactKinematics& kinematics) {
   });
 }
 
-void FacePairBounds::find_turns(const ContactKinematics& kinematics, double motion) {
-  const auto& faces = kinematics.contact_mesh().faces;
-  turns_.resize(faces.size());
-  const std::size_t n = kinematics.n_bounded();
-  parallel_for(n, threads_for(n), [&](std::size_t i) {
-    const FaceIndex face = kinematics.bounded(i);
-    turns_[face] = largest_turn(kinematics.bound(face), faces[face].is_triangle(), motion);
-  });
-}
-
 /// The bounds of one side of all pairs.
 struct FacePairBounds::BoundLanes {
   VectorLanes centre;

@@ -39,7 +39,9 @@ class FacePairBounds {
   std::uint32_t may_touch(const Pairs& pairs, double ahead, double reach) const;
   /// Finds how far normals may turn while corners move by so much, before may_meet().
   ///   motion  [length]
-  void find_turns(const ContactKinematics& kinematics, double motion);
+  void find_turns(const ContactKinematics& kinematics, double motion) {
+    kinematics.find_turns(motion, turns_);
+  }
   /// Which pairs, as bits, may touch while corners stay in the range of motion of find_turns().
   ///   reach  gaps up to it count besides what may close [length]
   std::uint32_t may_meet(const Pairs& pairs, const CloseRange& range, double reach) const;

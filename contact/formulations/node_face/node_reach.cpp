@@ -53,16 +53,6 @@ void ReachBounds::update(const ContactStepContext& context) {
       n, 8.0f, [&](std::uint32_t i) -> const Eigen::Vector3f& { return bounds_[now.bounded(i)].centre; });
 }
 
-void ReachBounds::find_turns(const ContactKinematics& kinematics, double motion) {
-  const auto& faces = kinematics.contact_mesh().faces;
-  turns_.resize(faces.size());
-  const std::size_t n = kinematics.n_bounded();
-  parallel_for(n, threads_for(n), [&](std::size_t i) {
-    const FaceIndex face = kinematics.bounded(i);
-    turns_[face] = largest_turn(kinematics.bound(face), faces[face].is_triangle(), motion);
-  });
-}
-
 NodeReach::NodeReach(const ContactStepContext& context, const ReachBounds& bounds, SurfaceNodeIndex row,
                      SurfaceIndex surface, bool is_known)
     : rounding_(bounds.rounding()),

@@ -34,7 +34,9 @@ class ReachBounds {
   void update(const ContactStepContext& context);
   /// Finds how far normals may turn while corners move by so much, before NodeReach::find_close().
   ///   motion  [length]
-  void find_turns(const ContactKinematics& kinematics, double motion);
+  void find_turns(const ContactKinematics& kinematics, double motion) {
+    kinematics.find_turns(motion, turns_);
+  }
   float turn(FaceIndex face) const { return turns_[face]; }
   const Bound& operator[](FaceIndex face) const { return bounds_[face]; }
   Eigen::Vector3f position(const Eigen::Vector3d& x) const { return positions_.position(x); }
