@@ -71,8 +71,7 @@ NodeReach::NodeReach(const ContactStepContext& context, const ReachBounds& bound
   const double margin = context.balances ? closed_share * thickness : 0.0;
   const double held = is_known ? rule_->pair->held_gap(thickness) : 0.0;
   before_ = static_cast<float>(std::max({rule_->activation_distance, margin, held}));
-  ever_before_ = static_cast<float>(
-      std::max({rule_->activation_distance, closed_share * thickness, rule_->pair->held_gap(thickness)}));
+  thickness_ = thickness;
   shallow_ = static_cast<float>(shallow_depth * thickness);
   normal_tolerance_ = to_float(rule_->pair->normal_tolerance);
   tangential_tolerance_ = to_float(rule_->pair->tangential_tolerance);
@@ -138,7 +137,10 @@ std::uint32_t NodeReach::find_close(const ReachBounds& bounds, const Faces& face
   const FloatLanes moved = 2.0f * d + FloatLanes(turns) * distance;
   const FloatLanes rough = warp + rounding_ + rounding_share * (radius + magnitude(height) + moved) * 2.0f;
   const auto soon = static_cast<float>(range.soon), reach = static_cast<float>(range.reach);
-  const float above = ever_before_ + soon + reach + radius_ + rounding_;
+  // However the pair is enforced then, and whatever the node touches.
+  const auto before = static_cast<float>(
+      std::max({rule_->activation_distance, closed_share * thickness_, rule_->pair->held_gap(thickness_)}));
+  const float above = before + soon + reach + radius_ + rounding_;
   FloatMask is_out = height > above * (1.0f + rounding_share) + moved + rough;
   if (!goes_anywhere_) {
     const FloatLanes allowed = tangential_tolerance_ ? FloatLanes(*tangential_tolerance_)

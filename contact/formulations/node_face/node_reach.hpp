@@ -99,10 +99,10 @@ class NodeReach {
   const PairRule* rule_ = nullptr;
   double offset_ = 0.0, deeper_ = 0.0;
   float dt_ = 0.0f, ahead_ = 0.0f;
-  float before_ = 0.0f;       // gaps up to it count however slow sides close [length]
-  float ever_before_ = 0.0f;  // the same however the pair is enforced, and whatever it touched [length]
-  float radius_ = 0.0f;       // of a sphere [length]
-  float shallow_ = 0.0f;      // how deep what touched nothing may be [length]
+  float before_ = 0.0f;     // gaps up to it count however slow sides close [length]
+  double thickness_ = 0.0;  // of the node's element [length]
+  float radius_ = 0.0f;     // of a sphere [length]
+  float shallow_ = 0.0f;    // how deep what touched nothing may be [length]
   std::optional<float> normal_tolerance_, tangential_tolerance_;  // [length]
   bool comes_from_outside_;                                       // it touched nothing, and is no deeper
   bool is_known_, goes_anywhere_;
