@@ -26,9 +26,7 @@ class CloseCandidates {
   };
 
   /// Finds them anew, on all threads.
-  ///   find  (CandidateRows, const auto& take) calls take(row, position) for those of a chunk of rows, in
-  ///   their
-  ///         order
+  ///   find  (CandidateRows, const auto& take): take(row, position) for those of a chunk of rows, in order
   template <class Find>
   void renew(const Candidates& candidates, const Find& find) {
     const std::size_t n_rows = candidates.n_rows();

@@ -72,6 +72,8 @@ concept FormulationBase = requires(F formulation, const ContactRemap& remap, Sta
 ///   mark_close(context, size_share, rules)
 ///       marks what of HYBRID pairs is close to the other side; size_share is the automatic CAPTURE TOLERANCE
 ///       over the size of a side [1]
+///   n_close(), watch_close(is_watched), forget_close()
+///       of what renew_close of CandidateUse has found: as n_candidates() and watch(); gives it back
 ///   add_start_gaps(context, gaps)
 ///       before the first step: appends the gaps of pairs that have to know them
 template <class F>

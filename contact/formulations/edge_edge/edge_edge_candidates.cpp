@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <algorithm>
+#include <iterator>
 #include <utility>
 
 #include "contact/formulations/edge_edge/edge_edge_contacts.hpp"
@@ -35,6 +36,24 @@ void EdgeEdgeContacts::find_candidates(ContactSearch& search, const ContactKinem
   EdgePairLists next;
   search.find_edge_pairs(kinematics, motion, depth_now_, next);
   take_candidates(std::move(next));
+}
+
+void EdgeEdgeContacts::begin_detection(const ContactStepContext& context) {
+  if (context.candidates == CandidateUse::close)
+    return bounds_.update(context.kinematics, close_edges_, depth_before_);
+  const IndexRange<EdgeIndex> all = indices(contact_mesh_.edges);
+  if (all_edges_.size() != contact_mesh_.edges.size()) all_edges_.assign(all.begin(), all.end());
+  bounds_.update(context.kinematics, all_edges_, depth_before_);
+  if (context.candidates != CandidateUse::renew_close) return;
+  close_.renew_pairs<EdgeBounds::Pairs>(
+      candidates_, [&](const auto& pairs) { return bounds_.may_cross(pairs, context.close_range.motion); });
+  IndexedVector<EdgeIndex, std::uint8_t> is_close(contact_mesh_.edges.size(), 0);
+  close_.visit_close([&](EdgeIndex first, std::size_t position) {
+    is_close[first] = is_close[candidates_.partner(position)] = 1;
+  });
+  close_edges_.clear();
+  std::ranges::copy_if(all_edges_, std::back_inserter(close_edges_),
+                       [&](EdgeIndex edge) { return is_close[edge] != 0; });
 }
 
 void EdgeEdgeContacts::swap_steps() {
