@@ -38,6 +38,8 @@ void add_run_options(CLI::App& app, Options& options) {
   app.add_option("--threads", options.n_threads, "Number of threads; results do not depend on it")
       ->type_name("N")
       ->check(CLI::Range(1, 1024));
+  app.add_flag("--pieces", options.writes_pieces,
+               "Write results in pieces <results>.P.r, one of each rank of mpirun");
   auto* strict = app.add_flag("--strict", options.is_strict,
                               "Exit code 2 when there is a warning; a run does not begin then");
   app.add_flag("-q,--quiet", options.is_quiet,

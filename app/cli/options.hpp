@@ -42,6 +42,7 @@ struct Options {
   bool is_quiet = false;                 ///< only problems are printed
   int n_threads = 0;                     ///< 0: as many as OpenMP chooses
   std::size_t n_ranks = 1;               ///< that mpirun has started
+  bool writes_pieces = false;            ///< of results, a piece of each rank
   std::optional<std::string> log;        ///< in place of <deck base>.log
   std::vector<std::string> definitions;  ///< "name=value" for Aprepro
   bool explains = false;

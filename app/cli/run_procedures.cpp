@@ -143,7 +143,8 @@ class ProcedureRuns {
             std::move(kept),
             [&log = way_.log](std::string_view text) { log.write(text); },
             !is_last && !regions_[i + 1].procedure.transfers.empty(),
-            way_.ranks};
+            way_.ranks,
+            options.writes_pieces};
   }
 
   void write_heading(std::size_t i) {

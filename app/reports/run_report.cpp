@@ -7,6 +7,7 @@
 #include "app/reports/text_table.hpp"
 #include "core/base/pluralize.hpp"
 #include "core/elements/element_table.hpp"
+#include "io/pieces/piece_files.hpp"
 
 namespace contactsim {
 
@@ -73,7 +74,15 @@ std::string format_ranks(const RankTraffic& traffic, bool is_static) {
 }
 
 std::string format_paths(std::span<const std::string> paths) {
-  return paths.empty() ? "" : fmt::format("  writes {}\n", fmt::join(paths, ", "));
+  std::vector<std::string> named;
+  for (std::size_t i = 0; i < paths.size(); ++i) {
+    named.push_back(paths[i]);
+    const auto pieces = parse_piece_path(paths[i]);
+    if (!pieces || pieces->count == 1 || paths[i] != pieces->path(0)) continue;
+    named.back() += " to " + pieces->path(pieces->count - 1);
+    i += pieces->count - 1;
+  }
+  return paths.empty() ? "" : fmt::format("  writes {}\n", fmt::join(named, ", "));
 }
 
 std::string step_heading() {

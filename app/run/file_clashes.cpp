@@ -8,6 +8,7 @@
 #include <filesystem>
 #include <vector>
 
+#include "core/base/errors.hpp"
 #include "core/base/file_paths.hpp"
 
 namespace contactsim {
@@ -54,6 +55,17 @@ std::string find_write_obstacle(const std::string& path) {
   return access(folder.c_str(), W_OK) == 0
              ? ""
              : fmt::format("the folder '{}' may not be written", folder.string());
+}
+
+std::shared_ptr<FileLock> lock_output(const std::string& path) {
+  return std::make_shared<FileLock>(path, "the deck or the command line can name another file");
+}
+
+void refuse_to_replace(const std::string& path, bool overwrites) {
+  std::error_code ignored;
+  if (!overwrites && fs::exists(path, ignored))
+    throw FileError(path, "exists, and the deck says OVERWRITE = OFF");
+  lock_output(path);
 }
 
 }  // namespace contactsim

@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <memory>
 #include <span>
 #include <string>
+
+#include "io/files/file_lock.hpp"
 
 namespace contactsim {
 
@@ -19,5 +22,11 @@ std::string find_file_clash(std::span<const RunFile> read, std::span<const RunFi
 /// Why a file cannot be written: its folder is not there or not writable, or it is a folder itself. "" when
 /// it can. Touches nothing.
 std::string find_write_obstacle(const std::string& path);
+
+/// Keeps a file that has been begun for this run. Throws FileError when another run writes it.
+std::shared_ptr<FileLock> lock_output(const std::string& path);
+
+/// Throws FileError when a file is there that may not be replaced, or that another run writes.
+void refuse_to_replace(const std::string& path, bool overwrites);
 
 }  // namespace contactsim

@@ -6,10 +6,9 @@
 #include <memory>
 #include <utility>
 
-#include "core/base/errors.hpp"
+#include "app/run/file_clashes.hpp"
 #include "core/base/version.hpp"
 #include "io/exodus/results_writer.hpp"
-#include "io/files/file_lock.hpp"
 #include "io/files/format_clock.hpp"
 
 namespace contactsim {
@@ -28,25 +27,23 @@ ResultsText make_text(const OutputFileSettings& settings, const std::string& tit
   return text;
 }
 
-/// Keeps a file that has been begun for this run.
-std::shared_ptr<FileLock> lock_output(const std::string& path) {
-  return std::make_shared<FileLock>(path, "the deck or the command line can name another file");
+OutputWriters::OpenResults open_results(const OutputFileSettings& settings, const ResultsFile& file,
+                                        const Mesh& mesh, std::span<const OutputField> fields) {
+  const ResultsText text = make_text(settings, file.title);
+  if (settings.pieces && file.has_mesh) return open_results_piece(*settings.pieces, file, mesh, text, fields);
+  refuse_to_replace(file.path, file.overwrites);
+  const auto writer = std::make_shared<ResultsWriter>(file.path, mesh, text, fields);
+  return {[writer, lock = lock_output(file.path)](double time, const OutputWriters::FieldValues& values) {
+    writer->write_step(time, values);
+  }};
 }
 
-/// Throws FileError when another run writes it.
-void refuse_file_in_use(const std::string& path) { lock_output(path); }
-
-OutputWriters::AppendStep open_results(const OutputFileSettings& settings, const ResultsFile& file,
-                                       const Mesh& mesh, std::span<const OutputField> fields) {
-  std::error_code ignored;
-  if (!file.overwrites && std::filesystem::exists(file.path, ignored))
-    throw FileError(file.path, "exists, and the deck says OVERWRITE = OFF");
-  refuse_file_in_use(file.path);
-  const auto writer =
-      std::make_shared<ResultsWriter>(file.path, mesh, make_text(settings, file.title), fields);
-  return [writer, lock = lock_output(file.path)](double time, const OutputWriters::FieldValues& values) {
-    writer->write_step(time, values);
-  };
+std::vector<std::string> name_results(const OutputFileSettings& settings, const ResultsFile& file) {
+  if (!settings.pieces || !file.has_mesh) return {file.path};
+  const PieceFiles files = name_results_pieces(*settings.pieces, file);
+  std::vector<std::string> paths;
+  for (std::size_t piece = 0; piece < files.count; ++piece) paths.push_back(files.path(piece));
+  return paths;
 }
 
 OutputBytes measure_results(const OutputFileSettings& settings, const ResultsFile& file, const Mesh& mesh,
@@ -79,7 +76,7 @@ OutputWriters::AppendLine open_heartbeat(const OutputFileSettings& settings, con
   if (file.form.has_units && !style.is_spyhis && !continues) style.units = file.dimensions;
   if (continues && !style.is_spyhis) style.has_legend = false;
   const bool is_in_log = file.path.empty();
-  if (!is_in_log) refuse_file_in_use(file.path);
+  if (!is_in_log) lock_output(file.path);
   TextSink sink = is_in_log ? settings.log : make_file_sink(file.path, file.form.appends);
   const auto writer =
       std::make_shared<HeartbeatWriter>(std::move(sink), std::move(style), std::move(names), settings.clock);
@@ -97,6 +94,7 @@ OutputWriters make_output_writers(OutputFileSettings settings) {
           [shared](const HeartbeatFile& file, std::vector<std::string> names) {
             return open_heartbeat(*shared, file, std::move(names));
           },
+          [shared](const ResultsFile& file) { return name_results(*shared, file); },
           [shared](const ResultsFile& file, const Mesh& mesh, std::span<const OutputField> fields) {
             return measure_results(*shared, file, mesh, fields);
           },

@@ -3,9 +3,11 @@
 
 #include <ctime>
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "app/run/results_pieces.hpp"
 #include "core/output/output_writers.hpp"
 #include "io/heartbeat/heartbeat_writer.hpp"
 
@@ -18,9 +20,10 @@ struct OutputFileSettings {
   std::vector<std::string> deck_lines;  ///< after Aprepro
   TextSink log;                         ///< for heartbeats to cout, cerr, log, ...
   std::function<std::time_t()> clock = [] { return std::time(nullptr); };
+  std::optional<ResultsPieces> pieces = std::nullopt;  ///< of results files with a mesh
 };
 
-/// The writers of `io`, as an output plan calls them.
+/// The writers of `io`, as an output plan calls them. Of results in pieces all ranks call them alike.
 OutputWriters make_output_writers(OutputFileSettings settings);
 
 /// The style of a format with what the deck says otherwise. Source: Sierra/SM 5.22, 9.8.

@@ -42,8 +42,9 @@ struct RunSettings {
   std::function<void(std::string_view)> write_text = [](std::string_view) {};
   /// The last step ends at the termination time, where another procedure goes on; else at it or past it.
   bool ends_on_time = false;
-  /// The processes that share the run; they must outlive it. Rank 0 alone writes files.
+  /// The processes that share the run; they must outlive it. Rank 0 alone writes files, but pieces.
   Ranks& ranks = one_rank();
+  bool writes_pieces = false;  ///< of results, a piece of each rank
 };
 
 }  // namespace contactsim

@@ -8,6 +8,7 @@
 #include "app/run/output_files.hpp"
 #include "core/base/errors.hpp"
 #include "core/definition/simulation.hpp"
+#include "core/dynamics/chunk_shares.hpp"
 #include "core/parallel/on_root.hpp"
 
 namespace contactsim {
@@ -21,17 +22,19 @@ std::vector<std::string> lines_of(const std::string& text) {
   return lines;
 }
 
-/// Writers that write on rank 0.
-OutputWriters on_root(Ranks& ranks, OutputWriters writers) {
+/// Writers that write on rank 0, but results in pieces, which all ranks do.
+OutputWriters on_root(Ranks& ranks, bool has_pieces, OutputWriters writers) {
   if (!ranks.are_several()) return writers;
   OutputWriters made = writers;
-  made.open_results = [&ranks, writers](const ResultsFile& file, const Mesh& mesh,
-                                        std::span<const OutputField> fields) -> OutputWriters::AppendStep {
-    OutputWriters::AppendStep append;
-    contactsim::on_root(ranks, [&] { append = writers.open_results(file, mesh, fields); });
-    return [&ranks, append](double time, const OutputWriters::FieldValues& values) {
+  made.open_results = [&ranks, has_pieces, writers](
+                          const ResultsFile& file, const Mesh& mesh,
+                          std::span<const OutputField> fields) -> OutputWriters::OpenResults {
+    if (has_pieces && file.has_mesh) return writers.open_results(file, mesh, fields);
+    OutputWriters::OpenResults open;
+    contactsim::on_root(ranks, [&] { open = writers.open_results(file, mesh, fields); });
+    return {[&ranks, append = std::move(open.append)](double time, const OutputWriters::FieldValues& values) {
       contactsim::on_root(ranks, [&] { append(time, values); });
-    };
+    }};
   };
   made.open_heartbeat = [&ranks, writers](const HeartbeatFile& file,
                                           std::vector<std::string> names) -> OutputWriters::AppendLine {
@@ -46,15 +49,17 @@ OutputWriters on_root(Ranks& ranks, OutputWriters writers) {
 
 }  // namespace
 
-OutputSettings output_settings(const RunInput& input, const RunSettings& settings, RunContact* contact,
-                               std::function<void()> complete_state) {
+OutputSettings output_settings(const RunInput& input, const RunSettings& settings, const Model& model,
+                               RunContact* contact, std::function<void()> complete_state) {
   OutputFileSettings files;
   files.mesh_path = input.mesh.path();
   files.command_line = settings.command_line;
   files.deck_lines = lines_of(input.definition.text);
   files.log = settings.write_text;
+  if (settings.writes_pieces)
+    files.pieces.emplace(settings.ranks, find_ranks_of_elements(model, settings.ranks.count()));
   OutputSettings made;
-  made.writers = on_root(settings.ranks, make_output_writers(std::move(files)));
+  made.writers = on_root(settings.ranks, settings.writes_pieces, make_output_writers(std::move(files)));
   made.complete_state = std::move(complete_state);
   made.results_path = settings.results_path;
   made.always_computes = !input.region.element_deaths.empty();

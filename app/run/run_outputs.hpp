@@ -12,10 +12,11 @@
 namespace contactsim {
 
 /// What the outputs of a run need besides deck and model.
+///   model           of the run
 ///   contact         null without contact
 ///   complete_state  OutputSettings::complete_state
 OutputSettings output_settings(
-    const RunInput& input, const RunSettings& settings, RunContact* contact,
+    const RunInput& input, const RunSettings& settings, const Model& model, RunContact* contact,
     std::function<void()> complete_state = [] {});
 
 /// No output may replace a file that is to be kept, and all must be writable: throws FileError.

@@ -12,6 +12,7 @@
 #include "core/base/errors.hpp"
 #include "core/definition/simulation.hpp"
 #include "core/parallel/on_root.hpp"
+#include "io/pieces/piece_files.hpp"
 
 namespace contactsim {
 
@@ -124,7 +125,8 @@ void RunRestart::choose_run(const std::vector<std::string>& outputs) {
     run_ = std::max(run_, state.head.run + 1);
   const auto exists = [&](const std::string& path) {
     std::error_code ignored;
-    return std::filesystem::exists(path + suffix(), ignored);
+    const std::string named = path + suffix();
+    return std::filesystem::exists(named, ignored) || !find_decompositions(named).empty();
   };
   while (std::ranges::any_of(outputs, exists)) ++run_;
 }

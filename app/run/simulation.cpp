@@ -52,7 +52,7 @@ void Simulation::try_to(const Work& work) {
 void Simulation::begin() {
   parts_->begun = clock_seconds();
   parts_->settings.ranks.wait_for_all(std::numeric_limits<double>::infinity());  // files of before are whole
-  parts_->restart.find_state(parts_->outputs.paths(), parts_->diagnostics);
+  parts_->restart.find_state(parts_->outputs.names(), parts_->diagnostics);
   notify(RunEvent::restart_sought);
   parts_->prepare_files();
   try_to([&] { parts_->restart.earlier() != nullptr ? resume() : begin_anew(); });

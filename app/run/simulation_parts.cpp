@@ -73,7 +73,7 @@ Simulation::Parts::Parts(const RunInput& run_input, RunSettings run_settings, Di
             diagnostics},
       contact(make_contact(input, setup.model, settings.ranks)),
       outputs(scope, setup.model,
-              output_settings(input, settings, contact.get(), [this] { complete_state(); })),
+              output_settings(input, settings, setup.model, contact.get(), [this] { complete_state(); })),
       death(make_death(scope, setup, outputs, contact.get())),
       restart(input, settings.ranks, diagnostics),
       marks(restart.stores() ? find_run_marks(input, setup.model) : std::vector<RunMark>{}),

@@ -50,4 +50,24 @@ ChunkRange ChunkShares::of(int rank, std::size_t block) const {
   return {in_block(begins_[r]), in_block(begins_[r + 1])};
 }
 
+std::vector<std::uint32_t> find_ranks_of_elements(const Model& model, int n_ranks) {
+  const ChunkShares shares(model.blocks, n_ranks);
+  std::vector<std::uint32_t> ranks(model.mesh->n_elements(), 0);
+  for (int rank = 0; rank < n_ranks; ++rank) {
+    for (std::size_t b = 0; b < model.blocks.size(); ++b) {
+      const ModelBlock& block = model.blocks[b];
+      const ChunkRange own = shares.of(rank, b);
+      for (std::size_t c = own.begin; c < own.end; ++c) {
+        const BatchChunk& chunk = block.chunks[c];
+        const std::size_t begin = chunk.first_batch * n_lanes;
+        const std::size_t end = std::min((chunk.first_batch + chunk.n_batches) * n_lanes, block.n_elements);
+        std::fill(ranks.begin() + static_cast<std::ptrdiff_t>(block.first_element.value + begin),
+                  ranks.begin() + static_cast<std::ptrdiff_t>(block.first_element.value + end),
+                  static_cast<std::uint32_t>(rank));
+      }
+    }
+  }
+  return ranks;
+}
+
 }  // namespace contactsim

@@ -2,10 +2,11 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <span>
 #include <vector>
 
-#include "core/elements/model_block.hpp"
+#include "core/dynamics/model.hpp"
 
 namespace contactsim {
 
@@ -40,5 +41,8 @@ class ChunkShares {
   std::vector<std::size_t> begins_;       // [n_ranks + 1] of all chunks
   double imbalance_ = 0.0;
 };
+
+/// The rank that advances each element of the mesh [n_elements]; of what none advances the first.
+std::vector<std::uint32_t> find_ranks_of_elements(const Model& model, int n_ranks);
 
 }  // namespace contactsim

@@ -19,6 +19,8 @@ NodeShares::NodeShares(const Model& model, const ChunkShares& chunks, std::span<
       }
     }
   }
+  // Nodes without elements move, too: the first rank has them.
+  std::ranges::replace(followed_by_, std::uint64_t{0}, std::uint64_t{1});
   // The rank whose elements have most of the nodes of a sum makes it.
   std::array<std::size_t, max_ranks> n_followed;
   for (std::size_t begin = 0; begin < followed_by_.size(); begin += nodes_per_sum) {

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <iterator>
 #include <utility>
 
 #include "core/base/file_paths.hpp"
@@ -53,11 +54,21 @@ OutputPlan::OutputPlan(const ConditionScope& scope, const Model& model, OutputSe
 
 std::vector<std::string> OutputPlan::paths() const {
   std::vector<std::string> paths;
-  for (const Results& results : results_) paths.push_back(results.plan.file.path);
+  for (const Results& results : results_)
+    std::ranges::move(settings_.writers.name_results(results.plan.file), std::back_inserter(paths));
   for (const Heartbeat& heartbeat : heartbeats_) {
     if (!heartbeat.plan.file.path.empty()) paths.push_back(heartbeat.plan.file.path);
   }
   return paths;
+}
+
+std::vector<std::string> OutputPlan::names() const {
+  std::vector<std::string> names;
+  for (const Results& results : results_) names.push_back(results.plan.file.path);
+  for (const Heartbeat& heartbeat : heartbeats_) {
+    if (!heartbeat.plan.file.path.empty()) names.push_back(heartbeat.plan.file.path);
+  }
+  return names;
 }
 
 void OutputPlan::add_suffix(const std::string& suffix) {
@@ -123,9 +134,9 @@ std::vector<OutputEstimate> OutputPlan::estimate(double begin, double step, std:
 
 void OutputPlan::open_files() {
   const Mesh no_mesh, mesh = results_mesh();
-  for (auto& [plan, defined, append, is_due] : results_) {
+  for (auto& [plan, defined, open, is_due] : results_) {
     defined = plan.fields.fields();
-    append = settings_.writers.open_results(plan.file, plan.file.has_mesh ? mesh : no_mesh, defined);
+    open = settings_.writers.open_results(plan.file, plan.file.has_mesh ? mesh : no_mesh, defined);
   }
   for (Heartbeat& heartbeat : heartbeats_)
     heartbeat.append =
@@ -163,6 +174,24 @@ bool OutputPlan::find_due(const OutputTime& now) {
   return is_any;
 }
 
+bool OutputPlan::reads_whole_state() const {
+  const auto reads_whole = [](const Results& results) { return results.is_due && results.open.piece == nullptr; };
+  return !user_outputs_.is_empty() || std::ranges::any_of(results_, reads_whole) ||
+         std::ranges::any_of(heartbeats_, &Heartbeat::is_due);
+}
+
+std::span<const double> OutputPlan::values_of(Results& results, std::size_t field,
+                                              const OutputContext& context) {
+  RequestedFields& fields = results.plan.fields;
+  const MeshPiece* piece = results.open.piece.get();
+  const std::span<const double> values =
+      piece != nullptr ? fields.evaluate(field, context, *piece) : fields.evaluate(field, context);
+  // The spheres of rigid bodies, whose nodes are the last, are all in one piece.
+  const bool has_spheres =
+      piece == nullptr || (!piece->nodes.empty() && piece->nodes.back() >= model_.mesh->n_nodes());
+  return has_spheres ? rigid_part_.extended(results.defined[field], values, context.state) : values;
+}
+
 void OutputPlan::Heartbeat::write(const State& state, const OutputContext& context) {
   append(state.time, evaluate_all(plan.values, context));
   last_step = state.step;
@@ -172,14 +201,12 @@ void OutputPlan::write(const State& state, bool is_last) {
   if (!std::exchange(is_open_, true)) open_files();
   const OutputContext context{model_, state};
   const bool is_any_due = find_due({state.step, state.time, is_last});
-  if (is_any_due) settings_.complete_state();
+  if (is_any_due && reads_whole_state()) settings_.complete_state();
   user_outputs_.compute(context, is_any_due);
   for (Results& results : results_) {
     if (!results.is_due) continue;
-    results.append(state.time, [&](std::size_t field) {
-      return rigid_part_.extended(results.defined[field], results.plan.fields.evaluate(field, context),
-                                  state);
-    });
+    results.open.append(state.time,
+                        [&](std::size_t field) { return values_of(results, field, context); });
   }
   for (Heartbeat& heartbeat : heartbeats_) {
     if (heartbeat.is_due) heartbeat.write(state, context);

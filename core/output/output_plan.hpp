@@ -72,6 +72,8 @@ class OutputPlan {
 
   /// The files that are written, in the order of the deck.
   std::vector<std::string> paths() const;
+  /// The names that the deck gives them, of which results files in pieces make theirs.
+  std::vector<std::string> names() const;
   /// What they would hold after steps of one size from a time on, but for lines of MONITOR = RESTART. Not to
   /// be written to afterwards. Precondition: the writers can measure.
   ///   step  [time]
@@ -81,7 +83,7 @@ class OutputPlan {
   struct Results {
     PlannedResults plan;
     std::vector<OutputField> defined;  ///< the plan's fields, once the file is open
-    OutputWriters::AppendStep append;
+    OutputWriters::OpenResults open;
     bool is_due = false;
   };
   struct Heartbeat {
@@ -97,6 +99,9 @@ class OutputPlan {
   Mesh results_mesh() const;
   void open_files();
   bool find_due(const OutputTime& now);
+  /// Whether what is due reads more than the pieces of results files.
+  bool reads_whole_state() const;
+  std::span<const double> values_of(Results& results, std::size_t field, const OutputContext& context);
 
   const Model& model_;
   RigidPart rigid_part_;

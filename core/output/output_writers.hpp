@@ -3,12 +3,14 @@
 
 #include <cstdint>
 #include <functional>
+#include <memory>
 #include <span>
 #include <string>
 #include <vector>
 
 #include "core/definition/output.hpp"
 #include "core/mesh/mesh.hpp"
+#include "core/mesh/mesh_piece.hpp"
 #include "core/mesh/output_field.hpp"
 
 namespace contactsim {
@@ -36,17 +38,27 @@ struct OutputBytes {
 
 /// What an output plan writes through: it decides what is written and when, these know files.
 struct OutputWriters {
-  /// The values of a field by its position, [n_entities x n_components], good until the next call.
+  /// The values of a field by its position, [n_entities x n_components], good until the next call. Of a file
+  /// that is one of several pieces those of the piece's entities, in its order.
   using FieldValues = std::function<std::span<const double>(std::size_t field)>;
   /// Appends a state: its time [time], and the fields' values, which are asked for one after the other.
   using AppendStep = std::function<void(double time, const FieldValues& values)>;
   /// Appends a line: its time [time] and values in the order of the names.
   using AppendLine = std::function<void(double time, std::span<const double> values)>;
 
+  struct OpenResults {
+    AppendStep append;
+    std::shared_ptr<const MeshPiece> piece = nullptr;  ///< what the file has of the mesh; null for all
+  };
+
   /// Makes a file with its mesh and room for the fields. Throws FileError, also when called.
-  std::function<AppendStep(const ResultsFile&, const Mesh&, std::span<const OutputField>)> open_results;
+  std::function<OpenResults(const ResultsFile&, const Mesh&, std::span<const OutputField>)> open_results;
   /// Makes a file, or goes on with an older one. Throws FileError, also when called.
   std::function<AppendLine(const HeartbeatFile&, std::vector<std::string> names)> open_heartbeat;
+  /// The paths of the files that open_results makes.
+  std::function<std::vector<std::string>(const ResultsFile&)> name_results = [](const ResultsFile& file) {
+    return std::vector{file.path};
+  };
   /// What open_results would write, without a file.
   std::function<OutputBytes(const ResultsFile&, const Mesh&, std::span<const OutputField>)> measure_results =
       {};

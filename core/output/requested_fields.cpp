@@ -206,6 +206,23 @@ std::span<const double> RequestedFields::evaluate(std::size_t field, const Outpu
   return values_;
 }
 
+std::span<const double> RequestedFields::evaluate(std::size_t field, const OutputContext& context,
+                                                  const MeshPiece& piece) {
+  const auto& [selection, range, description] = fields_[field];
+  if (description.location == FieldLocation::global) return evaluate(field, context);
+  const bool is_nodal = description.location == FieldLocation::node;
+  std::span<const std::uint32_t> entities = is_nodal ? piece.nodes : piece.elements[description.block];
+  if (is_nodal) {
+    // Nodes that results add to the mesh are the last of files.
+    const auto end = std::ranges::partition_point(
+        entities, [n = context.model.mesh->n_nodes()](std::uint32_t node) { return node < n; });
+    entities = {entities.begin(), end};
+  }
+  values_.resize(entities.size() * selection.n_components());
+  fill(selection, context, range.block, entities, values_);
+  return values_;
+}
+
 RequestedFields make_requested_fields(const OutputVariables& variables, const FieldRequests& requests,
                                       std::span<const std::vector<std::string>> block_names,
                                       Diagnostics& diagnostics) {

@@ -7,6 +7,7 @@
 
 #include "core/base/diagnostics.hpp"
 #include "core/definition/output_variable.hpp"
+#include "core/mesh/mesh_piece.hpp"
 #include "core/output/variable_selection.hpp"
 
 namespace contactsim {
@@ -40,6 +41,8 @@ class RequestedFields {
   /// The values of one field at a time, good until the next call: a run has room for one field, not for
   /// all. Changes nothing in the run.
   std::span<const double> evaluate(std::size_t field, const OutputContext& context);
+  /// Those of a piece of the mesh; it may have nodes beyond those of the model, which are left out.
+  std::span<const double> evaluate(std::size_t field, const OutputContext& context, const MeshPiece& piece);
 
  private:
   std::vector<Field> fields_;

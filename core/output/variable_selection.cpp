@@ -141,6 +141,18 @@ void fill_piece(const VariableSelection& selection, const OutputContext& context
   }
 }
 
+/// Threads share many values: calls visit(begin, count) for parts of them. What a part takes may not be there:
+/// of one thread that leaves as an error.
+template <class Visit>
+void visit_pieces(std::size_t n, const Visit& visit) {
+  constexpr std::size_t piece_size = 1024;
+  const auto n_pieces = static_cast<std::ptrdiff_t>((n + piece_size - 1) / piece_size);
+  parallel_for(n_pieces, threads_for(n), [&](std::ptrdiff_t p) {
+    const std::size_t begin = static_cast<std::size_t>(p) * piece_size;
+    visit(begin, std::min(piece_size, n - begin));
+  });
+}
+
 }  // namespace
 
 bool VariableSelection::is_in_block(const Model& model, std::size_t block) const {
@@ -222,15 +234,23 @@ std::optional<VariableSelection> find_selection(const OutputVariables& variables
 
 void fill(const VariableSelection& selection, const OutputContext& context, const EntityRange& range,
           std::span<double> values) {
-  constexpr std::size_t piece_size = 1024;
   const std::size_t n_components = selection.n_components();
-  const auto n_pieces = static_cast<std::ptrdiff_t>((range.count + piece_size - 1) / piece_size);
-  // What a piece takes may not be there: of one thread that leaves the loop as an error.
-  parallel_for(n_pieces, threads_for(range.count), [&](std::ptrdiff_t p) {
-    const std::size_t begin = static_cast<std::size_t>(p) * piece_size;
-    const EntityRange piece{range.block, range.first + begin, std::min(piece_size, range.count - begin),
-                            selection.point};
-    fill_piece(selection, context, piece, values.subspan(begin * n_components, piece.count * n_components));
+  visit_pieces(range.count, [&](std::size_t begin, std::size_t count) {
+    fill_piece(selection, context, {range.block, range.first + begin, count, selection.point},
+               values.subspan(begin * n_components, count * n_components));
+  });
+}
+
+void fill(const VariableSelection& selection, const OutputContext& context, std::size_t block,
+          std::span<const std::uint32_t> entities, std::span<double> values) {
+  const std::size_t n_components = selection.n_components();
+  visit_pieces(entities.size(), [&](std::size_t begin, std::size_t count) {
+    const std::size_t end = begin + count;
+    for (std::size_t i = begin, next = begin; i < end; i = next) {
+      while (next < end && entities[next] == entities[i] + (next - i)) ++next;
+      fill_piece(selection, context, {block, entities[i], next - i, selection.point},
+                 values.subspan(i * n_components, (next - i) * n_components));
+    }
   });
 }
 

@@ -48,4 +48,9 @@ std::optional<VariableSelection> find_selection(const OutputVariables& variables
 void fill(const VariableSelection& selection, const OutputContext& context, const EntityRange& range,
           std::span<double> values);
 
+/// The same of entities that need not follow each other, of the mesh or of a block of the model.
+///   entities  positions
+void fill(const VariableSelection& selection, const OutputContext& context, std::size_t block,
+          std::span<const std::uint32_t> entities, std::span<double> values);
+
 }  // namespace contactsim

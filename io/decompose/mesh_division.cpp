@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <tuple>
+#include <utility>
 
 #include "io/decompose/bisect_points.hpp"
 #include "io/pieces/side_factors.hpp"
@@ -40,11 +41,15 @@ struct SideOfPiece {
 
 class MeshDivider {
  public:
-  MeshDivider(const Mesh& mesh, const ExodusFile& file, std::uint32_t n_pieces)
-      : mesh_(mesh), file_(file), n_pieces_(n_pieces), layout_(file.layout()) {}
+  MeshDivider(const Mesh& mesh, const ExodusFile& file, std::vector<std::uint32_t> piece_of,
+              std::uint32_t n_pieces)
+      : mesh_(mesh),
+        file_(file),
+        n_pieces_(n_pieces),
+        layout_(file.layout()),
+        piece_of_(std::move(piece_of)) {}
 
   MeshDivision divide() {
-    piece_of_ = bisect_points(find_centres(mesh_), n_pieces_);
     divide_elements();
     divide_nodes();
     share_sides();
@@ -71,36 +76,53 @@ class MeshDivider {
     }
   }
 
-  void divide_nodes() {
-    std::vector<std::vector<std::uint32_t>> pieces(mesh_.n_nodes());
-    for (const ElementBlock& block : mesh_.blocks()) {
-      for (std::uint32_t e = 0; e < block.n_elements; ++e) {
-        const std::uint32_t piece = piece_of_[block.first_element.value + e];
-        for (const NodeIndex node : block.element_nodes(e)) {
-          std::vector<std::uint32_t>& of_node = pieces[node.value];
-          if (std::ranges::find(of_node, piece) == of_node.end()) of_node.push_back(piece);
-        }
+  /// Calls visit(node) once for each node of a piece's elements.
+  template <class Visit>
+  void visit_nodes(std::uint32_t piece, std::vector<std::uint32_t>& last_pieces, const Visit& visit) const {
+    for (const std::uint32_t e : made_.division.at("num_elem").positions[piece]) {
+      for (const NodeIndex node : mesh_.element_nodes({e})) {
+        if (std::exchange(last_pieces[node.value], piece) != piece) visit(node.value);
       }
     }
+  }
+
+  void find_pieces_of_nodes() {
+    constexpr std::uint32_t none = 0xffffffffu;
+    first_piece_.assign(mesh_.n_nodes() + std::size_t{1}, 0);
+    std::vector<std::uint32_t> last_pieces(mesh_.n_nodes(), none);
+    for (std::uint32_t piece = 0; piece < n_pieces_; ++piece)
+      visit_nodes(piece, last_pieces, [&](std::uint32_t node) { ++first_piece_[node + 1]; });
+    for (std::uint32_t node = 0; node < mesh_.n_nodes(); ++node)
+      first_piece_[node + 1] = first_piece_[node] + std::max(first_piece_[node + 1], 1u);
+    pieces_of_nodes_.assign(first_piece_.back(), 0);
+    std::vector<std::uint32_t> next(first_piece_.begin(), first_piece_.end() - 1);
+    std::ranges::fill(last_pieces, none);
+    for (std::uint32_t piece = 0; piece < n_pieces_; ++piece)
+      visit_nodes(piece, last_pieces, [&](std::uint32_t node) { pieces_of_nodes_[next[node]++] = piece; });
+  }
+
+  /// Ascending; of a node without elements the first piece.
+  std::span<const std::uint32_t> pieces_of(std::uint32_t node) const {
+    return std::span(pieces_of_nodes_).subspan(first_piece_[node], first_piece_[node + 1] - first_piece_[node]);
+  }
+
+  void divide_nodes() {
+    find_pieces_of_nodes();
     DividedAxis& axis = add_axis("num_nodes", mesh_.n_nodes());
     made_.nodes.resize(n_pieces_);
     for (std::uint32_t node = 0; node < mesh_.n_nodes(); ++node) {
-      std::vector<std::uint32_t>& of_node = pieces[node];
-      if (of_node.empty()) of_node.push_back(0);
-      std::ranges::sort(of_node);
-      for (const std::uint32_t piece : of_node) {
+      for (const std::uint32_t piece : pieces_of(node)) {
         const auto position = static_cast<std::uint32_t>(axis.positions[piece].size());
-        for (const std::uint32_t other : of_node) {
+        for (const std::uint32_t other : pieces_of(node)) {
           if (other != piece) made_.nodes[piece].push_back({position, other});
         }
         axis.positions[piece].push_back(node);
       }
     }
-    pieces_of_node_ = std::move(pieces);
   }
 
   bool is_shared(std::span<const NodeIndex> nodes) const {
-    return std::ranges::all_of(nodes, [&](NodeIndex node) { return pieces_of_node_[node.value].size() > 1; });
+    return std::ranges::all_of(nodes, [&](NodeIndex node) { return pieces_of(node.value).size() > 1; });
   }
 
   void share_sides() {
@@ -165,7 +187,7 @@ class MeshDivider {
     const auto nodes = read_numbers(fmt::format("node_ns{}", number), dimension.length, mesh_.n_nodes());
     DividedAxis& axis = add_axis(dimension.name, dimension.length);
     for (std::uint32_t i = 0; i < nodes.size(); ++i) {
-      for (const std::uint32_t piece : pieces_of_node_[static_cast<std::size_t>(nodes[i]) - 1])
+      for (const std::uint32_t piece : pieces_of(static_cast<std::uint32_t>(nodes[i] - 1)))
         axis.positions[piece].push_back(i);
     }
     const bool rises = std::ranges::adjacent_find(nodes, std::greater_equal<>()) == nodes.end();
@@ -236,18 +258,19 @@ class MeshDivider {
   std::uint32_t n_pieces_;
   NetcdfLayout layout_;
   MeshDivision made_;
-  std::vector<std::uint32_t> piece_of_, local_;  // of each element
-  std::vector<std::vector<std::uint32_t>> pieces_of_node_;
+  std::vector<std::uint32_t> piece_of_, local_;  // of each element, its position in the piece
+  std::vector<std::uint32_t> first_piece_, pieces_of_nodes_;  // [n_nodes + 1] where those of each node begin
 };
 
 }  // namespace
 
-MeshDivision divide_mesh(const Mesh& mesh, const ExodusFile& file, std::uint32_t n_pieces) {
-  for (const ElementBlock& block : mesh.blocks()) {
-    if (block.shape == Shape::unknown && block.n_elements > 0)
-      file.fail(fmt::format("block {}: elements of type '{}' cannot be divided", block.id, block.type_name));
-  }
-  return MeshDivider(mesh, file, n_pieces).divide();
+std::vector<std::uint32_t> bisect_elements(const Mesh& mesh, std::uint32_t n_pieces) {
+  return bisect_points(find_centres(mesh), n_pieces);
+}
+
+MeshDivision divide_mesh(const Mesh& mesh, const ExodusFile& file, std::vector<std::uint32_t> piece_of,
+                         std::uint32_t n_pieces) {
+  return MeshDivider(mesh, file, std::move(piece_of), n_pieces).divide();
 }
 
 }  // namespace contactsim

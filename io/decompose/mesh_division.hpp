@@ -32,11 +32,18 @@ struct MeshDivision {
   std::vector<std::string> ordered_sets;       ///< dimensions of sets that pieces must give the order of
 };
 
-/// Divides whole elements by bisect_points at the means of their nodes; a piece has the nodes of its
-/// elements, and those of sets that it has. Nodes without elements are of the first piece.
-///   mesh      the mesh that is read from the file
+/// Gives each element a piece by bisect_points at the means of their nodes.
 ///   n_pieces  at least 1
-/// Throws FileError for blocks of unknown shape, and for distribution factors that match no sides.
-MeshDivision divide_mesh(const Mesh& mesh, const ExodusFile& file, std::uint32_t n_pieces);
+std::vector<std::uint32_t> bisect_elements(const Mesh& mesh, std::uint32_t n_pieces);
+
+/// Divides whole elements; a piece has the nodes of its elements, and those of sets that it has. Nodes
+/// without elements are of the first piece.
+///   mesh      the mesh that is read from the file
+///   piece_of  [n_elements] of the mesh, below n_pieces
+///   n_pieces  at least 1
+/// Throws FileError for distribution factors that match no sides. Precondition: blocks of unknown shape are
+/// empty.
+MeshDivision divide_mesh(const Mesh& mesh, const ExodusFile& file, std::vector<std::uint32_t> piece_of,
+                         std::uint32_t n_pieces);
 
 }  // namespace contactsim

@@ -115,20 +115,10 @@ void commit_all(std::vector<NewPiece>& pieces, const PieceFiles& files) {
   }
 }
 
-MeshDivision divide(const std::string& path, const ExodusFile& file, std::size_t n_pieces) {
-  Diagnostics discarded;  // warnings of what a run leaves out: pieces have all
-  const Mesh mesh = read_mesh(path, discarded);
-  check_can_be_divided(file, mesh, n_pieces);
-  return divide_mesh(mesh, file, static_cast<std::uint32_t>(n_pieces));
-}
-
-}  // namespace
-
-std::vector<WrittenPiece> split_file(const std::string& path, std::size_t n_pieces) {
-  const ExodusFile file(path);
-  const MeshDivision division = divide(file.path(), file, n_pieces);
-  const PieceFiles files = name_new_pieces(file, n_pieces);
-  const WholeFile whole{file, make_writable(file.layout()), division, static_cast<std::uint32_t>(n_pieces)};
+std::vector<WrittenPiece> write_pieces(const ExodusFile& file, const MeshDivision& division,
+                                       const PieceFiles& files) {
+  const auto n_pieces = static_cast<std::uint32_t>(files.count);
+  const WholeFile whole{file, make_writable(file.layout()), division, n_pieces};
   allow_open_files(n_pieces);
   std::vector<NewPiece> pieces;
   for (std::uint32_t piece = 0; piece < n_pieces; ++piece)
@@ -143,6 +133,38 @@ std::vector<WrittenPiece> split_file(const std::string& path, std::size_t n_piec
     written.push_back({files.path(piece), pieces[piece].layout.layout.length("num_nodes"),
                        pieces[piece].layout.layout.length("num_elem")});
   return written;
+}
+
+/// The mesh of a file that is divided, if its elements are known. Warnings of what a run leaves out are
+/// dropped: pieces have all.
+Mesh read_whole_mesh(const ExodusFile& file) {
+  Diagnostics discarded;
+  Mesh mesh = read_mesh(file.path(), discarded);
+  for (const ElementBlock& block : mesh.blocks()) {
+    if (block.shape == Shape::unknown && block.n_elements > 0)
+      file.fail(fmt::format("block {}: elements of type '{}' cannot be divided", block.id, block.type_name));
+  }
+  return mesh;
+}
+
+}  // namespace
+
+std::vector<WrittenPiece> split_file(const std::string& path, std::size_t n_pieces) {
+  const ExodusFile file(path);
+  const Mesh mesh = read_whole_mesh(file);
+  check_can_be_divided(file, mesh, n_pieces);
+  const auto n = static_cast<std::uint32_t>(n_pieces);
+  const MeshDivision division = divide_mesh(mesh, file, bisect_elements(mesh, n), n);
+  return write_pieces(file, division, name_new_pieces(file, n_pieces));
+}
+
+void split_file(const std::string& path, const PieceFiles& files, std::span<const std::uint32_t> piece_of) {
+  const ExodusFile file(path);
+  const Mesh mesh = read_whole_mesh(file);
+  std::vector<std::uint32_t> pieces(piece_of.begin(), piece_of.end());
+  pieces.resize(mesh.n_elements(), 0);
+  const auto n = static_cast<std::uint32_t>(files.count);
+  write_pieces(file, divide_mesh(mesh, file, std::move(pieces), n), files);
 }
 
 }  // namespace contactsim

@@ -1,8 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <cstdint>
+#include <span>
 #include <string>
 #include <vector>
+
+#include "io/pieces/piece_files.hpp"
 
 namespace contactsim {
 
@@ -19,5 +23,10 @@ struct WrittenPiece {
 /// All pieces appear when all are written. Throws FileError when one is there already, or when the file
 /// cannot be read, divided or written.
 std::vector<WrittenPiece> split_file(const std::string& path, std::size_t n_pieces);
+
+/// The same with a piece for each element, in the order of the file. Pieces may be without any, and replace
+/// files of their names.
+///   piece_of  [n_elements]; elements beyond are of the first piece
+void split_file(const std::string& path, const PieceFiles& files, std::span<const std::uint32_t> piece_of);
 
 }  // namespace contactsim

@@ -12,6 +12,7 @@ namespace contactsim {
 /// The way between the order in which a mesh has its nodes, or the elements of a block, and that of files.
 class FileOrder {
  public:
+  FileOrder() = default;
   static FileOrder of_nodes(const Mesh& mesh);
   /// Positions are within the block.
   static FileOrder of_block(const Mesh& mesh, const ElementBlock& block);

@@ -31,6 +31,19 @@ ResultsVariables::ResultsVariables(const Mesh& mesh, std::span<const OutputField
   add_element(mesh, draft);
 }
 
+void ResultsVariables::take_piece(const MeshPiece& piece) {
+  for (DefinedField& defined : fields_) {
+    const OutputField& field = defined.field;
+    if (field.location == FieldLocation::global) continue;
+    const bool is_nodal = field.location == FieldLocation::node;
+    defined.n_entities = (is_nodal ? piece.nodes : piece.elements[field.block]).size();
+    // Pieces have no variables of blocks that they have nothing of.
+    if (defined.n_entities == 0) defined.variables.clear();
+  }
+  node_order_ = {};
+  std::ranges::fill(block_orders_, FileOrder());
+}
+
 const FileOrder& ResultsVariables::order_of(const OutputField& field) const {
   return field.location == FieldLocation::node ? node_order_ : block_orders_[field.block];
 }

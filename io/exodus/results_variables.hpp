@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/mesh/mesh.hpp"
+#include "core/mesh/mesh_piece.hpp"
 #include "core/mesh/output_field.hpp"
 #include "io/exodus/exodus_draft.hpp"
 #include "io/exodus/file_order.hpp"
@@ -22,9 +23,11 @@ class ResultsVariables {
   ResultsVariables(const Mesh& mesh, std::span<const OutputField> fields, ExodusDraft& draft);
 
   std::size_t size() const { return fields_.size(); }
+  /// From now on write() takes the values of a piece alone, in the order of its file.
+  void take_piece(const MeshPiece& piece);
 
   /// Writes one field of the constructor to the record that is open. Throws std::logic_error when there are
-  /// not values for every node or element; nothing is written then.
+  /// not values for every node or element, or those of the piece; nothing is written then.
   ///   values  n_entities x n_components, entity by entity
   void write(std::size_t field, std::span<const double> values, RecordFile& file) const;
 
@@ -42,7 +45,7 @@ class ResultsVariables {
   void add_nodal(ExodusDraft& draft);
   void add_element(const Mesh& mesh, ExodusDraft& draft);
 
-  FileOrder node_order_;
+  FileOrder node_order_;  // that of a piece is as it has them
   std::vector<FileOrder> block_orders_;
   std::vector<DefinedField> fields_;
   int steps_ = 0;  // dimension

@@ -102,6 +102,16 @@ ResultsWriter::ResultsWriter(const std::string& path, const Mesh& mesh, const Re
   records_.emplace(path);
 }
 
+ResultsWriter::ResultsWriter(const std::string& path, const MeshPiece& piece, const Mesh& mesh,
+                             std::span<const OutputField> fields) {
+  const ExodusFormat format = choose_format(find_results_sizes(mesh, fields));
+  NetcdfOutput file(format.is_large);
+  ExodusDraft draft(file, format);
+  variables_ = define_results(mesh, {}, fields, draft);
+  variables_->take_piece(piece);
+  records_.emplace(path);
+}
+
 FileBytes ResultsWriter::measure(const Mesh& mesh, const ResultsText& text,
                                  std::span<const OutputField> fields) {
   check_input("results", mesh);

@@ -37,6 +37,12 @@ class ResultsWriter {
   ResultsWriter(const std::string& path, const Mesh& mesh, const ResultsText& text,
                 std::span<const OutputField> fields);
 
+  /// Goes on with one of the pieces that such a file, without a step yet, has been divided into; write_step()
+  /// takes the values of what the piece has, in its order. Throws FileError when it cannot be written.
+  ///   mesh, fields  of the whole file
+  ResultsWriter(const std::string& path, const MeshPiece& piece, const Mesh& mesh,
+                std::span<const OutputField> fields);
+
   /// What such a file would take: with the mesh, and of each step. Writes nothing. Throws FileError for
   /// blocks whose connectivity was not read.
   static FileBytes measure(const Mesh& mesh, const ResultsText& text, std::span<const OutputField> fields);

@@ -121,7 +121,10 @@ std::vector<T> JoinedPieces::read_part(std::size_t piece, const NetcdfVariable& 
   if (!part) file.fail(fmt::format("has no variable {}, which other pieces have", variable.name));
   std::vector<std::size_t> shape = variable.shape;
   shape[divided.dimension] = n_items;
-  if (part->shape != shape || part->is_text != variable.is_text)
+  std::vector<std::size_t> of_part = part->shape;
+  if (definition(variable).dimensions.front() == time_dimension && !of_part.empty())
+    of_part.front() = std::min(of_part.front(), shape.front());  // a piece may have more times than the whole
+  if (of_part != shape || part->is_text != variable.is_text)
     file.fail("variable " + variable.name + " has another shape than in other pieces");
   if (divided.dimension == 0) rows = {0, n_items};
   std::size_t n = rows.count;

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <filesystem>
+#include <limits>
 
 #include "core/base/errors.hpp"
 #include "io/files/open_file_limit.hpp"
@@ -26,8 +27,10 @@ constexpr std::array common_lists{"eb_prop1",      "ns_prop1",     "ss_prop1",  
                                   "time_whole",    "name_nod_var", "name_elem_var", "name_nset_var",
                                   "name_sset_var", "name_glo_var"};
 
+constexpr std::string_view times_variable = "time_whole";
+
 const char* meaning_of(std::string_view list) {
-  if (list == "time_whole") return "its times are";
+  if (list == times_variable) return "its times are";
   if (list == "eb_prop1") return "the ids of its blocks are";
   if (list == "ns_prop1") return "the ids of its node sets are";
   if (list == "ss_prop1") return "the ids of its side sets are";
@@ -80,6 +83,26 @@ NetcdfValues read_list(const OpenPiece& piece, const NetcdfDefinition& list) {
   return values;
 }
 
+/// Whether the same values are in both lists, of times as far as both have them.
+bool is_same_list(NetcdfValues here, NetcdfValues there, bool is_of_times) {
+  if (!is_of_times) return here == there;
+  auto &times = std::get<std::vector<double>>(here), &other_times = std::get<std::vector<double>>(there);
+  const std::size_t n = std::min(times.size(), other_times.size());
+  times.resize(n);
+  other_times.resize(n);
+  return times == other_times;
+}
+
+/// A run that was killed may have ended a time in some of its pieces alone: the whole has what all have.
+void keep_common_times(std::vector<OpenPiece>& pieces) {
+  std::size_t n_times = std::numeric_limits<std::size_t>::max();
+  for (const OpenPiece& piece : pieces) n_times = std::min(n_times, piece.layout.length(time_dimension));
+  for (OpenPiece& piece : pieces) {
+    const auto times = std::ranges::find(piece.layout.dimensions, time_dimension, &NetcdfDimension::name);
+    if (times != piece.layout.dimensions.end()) times->length = n_times;
+  }
+}
+
 void check_is_of_same(const OpenPiece& piece, const OpenPiece& first) {
   for (const char* dimension : common_dimensions) {
     const std::size_t here = piece.layout.length(dimension), there = first.layout.length(dimension);
@@ -87,11 +110,12 @@ void check_is_of_same(const OpenPiece& piece, const OpenPiece& first) {
       piece.file->fail(fmt::format("is a piece of another file than {}: {} is {}, there {}",
                                    first.file->path(), dimension, here, there));
   }
-  for (const char* list : common_lists) {
+  for (const std::string_view list : common_lists) {
     const NetcdfDefinition *here = piece.layout.find_variable(list),
                            *there = first.layout.find_variable(list);
     if (here == nullptr && there == nullptr) continue;
-    if (here == nullptr || there == nullptr || read_list(piece, *here) != read_list(first, *there))
+    if (here == nullptr || there == nullptr ||
+        !is_same_list(read_list(piece, *here), read_list(first, *there), list == times_variable))
       piece.file->fail(
           fmt::format("is a piece of another file than {}: {} others", first.file->path(), meaning_of(list)));
   }
@@ -122,6 +146,7 @@ std::vector<OpenPiece> open_pieces(const PieceFiles& files) {
     check_says_whole(pieces.back(), files);
     check_is_of_same(pieces.back(), pieces.front());
   }
+  keep_common_times(pieces);
   return pieces;
 }
 

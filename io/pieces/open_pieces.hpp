@@ -21,11 +21,14 @@ struct OpenPiece {
   std::vector<std::int64_t> integers(const std::string& variable, std::size_t length) const;
 };
 
+inline constexpr std::string_view time_dimension = "time_step";
+
 /// Whether a file says that it is a piece.
 bool is_piece(const NetcdfFile& file);
 
 /// Opens all pieces, the first one first. Throws FileError that names the piece when one is missing, does not
-/// say what the whole is, or belongs to another decomposition, another mesh or other times than the first.
+/// say what the whole is, or belongs to another decomposition, another mesh or other times than the first. Of
+/// times that some pieces do not have yet none has any.
 std::vector<OpenPiece> open_pieces(const PieceFiles& files);
 
 }  // namespace contactsim

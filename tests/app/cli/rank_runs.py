@@ -13,7 +13,7 @@ import time
 
 SOURCE = pathlib.Path(__file__).resolve().parents[3]
 sys.path += [str(SOURCE / "tests/campaigns"), str(SOURCE / "tests/campaigns/runs")]
-from rank_equality import MPIRUN, RankEquality  # noqa: E402
+from rank_equality import HEARTBEAT, MPIRUN, RankEquality, join_pieces  # noqa: E402
 from results import problem_of_results  # noqa: E402
 
 RESTART = """begin restart data
@@ -38,9 +38,9 @@ class Runs:
         (folder / "impact.g").write_bytes(self.mesh)
         return folder
 
-    def command(self, n_ranks, end="8e-6"):
+    def command(self, n_ranks, end="8e-6", words=()):
         start = [] if n_ranks == 1 else [*MPIRUN, "-np", str(n_ranks)]
-        return [*start, self.program, "impact.i", "--threads", "1", "--quiet", "--log", "run.log", "-D", f"end={end}"]
+        return [*start, self.program, "impact.i", "--threads", "1", "--quiet", "--log", "run.log", "-D", f"end={end}", *words]
 
     def run(self, name, n_ranks, deck=None, **more):
         folder = self.prepare(name, deck or self.deck)
@@ -156,6 +156,30 @@ def pieces_are_joined_on_any_number_of_ranks(runs):
     check(result.returncode == 3 and result.stderr.count("impact.g.2.0 or impact.g.4.0") == 1, result.stderr)
 
 
+def results_in_pieces_are_those_of_one_process(runs):
+    # Heartbeats would have all of each state brought to all ranks.
+    quiet = HEARTBEAT.sub("", runs.deck)
+    whole, result = runs.run("in_one", 1, quiet)
+    check(result.returncode == 0, result.stderr)
+    for n_ranks in (1, 2, 3, 8):
+        folder, result = runs.run(f"written_in_{n_ranks}", n_ranks, quiet, words=["--pieces"])
+        check(result.returncode == 0, result.stderr)
+        pieces = sorted(path.name for path in folder.glob("impact.e*"))
+        check(pieces == [f"impact.e.{n_ranks}.{r}" for r in range(n_ranks)], f"{n_ranks} ranks write {pieces}")
+        join_pieces(runs.program, folder)
+        difference = RankEquality.file_difference(whole / "impact.e", folder / "impact.e")
+        check(not difference, f"of {n_ranks} pieces: {difference}")
+    folder = runs.prepare("no_room", quiet)
+    (folder / "impact.e.3.1").mkdir()
+    result = subprocess.run(runs.command(3, words=["--pieces"]), cwd=folder, capture_output=True, text=True, timeout=120)
+    check(result.returncode == 3 and result.stderr.count("impact.e.3.1: this is a folder") == 1, result.stderr)
+    kept = quiet.replace("database name = %B.e", "database name = %B.e\n        overwrite = off")
+    for code in (0, 3):
+        _, result = runs.run("kept", 2, kept, words=["--pieces"])
+        check(result.returncode == code, f"exit code {result.returncode} in place of {code}: {result.stderr}")
+    check(result.stderr.count("impact.e.2.0: exists") == 1, result.stderr)
+
+
 def a_killed_rank_ends_the_run(runs):
     folder = runs.prepare("killed", runs.deck)
     command = [word for word in runs.command(3, end="120e-6") if word != "-q"]
@@ -179,7 +203,8 @@ def main():
     with tempfile.TemporaryDirectory() as folder:
         runs = Runs(sys.argv[1], pathlib.Path(folder))
         for test in (bytes_are_those_of_one_process, restarts_go_on_with_other_ranks, errors_are_said_once,
-                     commands_are_done_once, pieces_are_joined_on_any_number_of_ranks, a_killed_rank_ends_the_run):
+                     commands_are_done_once, pieces_are_joined_on_any_number_of_ranks,
+                     results_in_pieces_are_those_of_one_process, a_killed_rank_ends_the_run):
             begun = time.monotonic()
             test(runs)
             print(f"{test.__name__}: {time.monotonic() - begun:.1f} s", flush=True)

@@ -15,7 +15,7 @@ namespace {
 
 OutputSettings settings_of(const FlyingCube& cube, const RunSettings& settings) {
   return output_settings({cube.definition, cube.definition.procedures.front(), cube.region(), cube.mesh},
-                         settings, nullptr);
+                         settings, {}, nullptr);
 }
 
 }  // namespace

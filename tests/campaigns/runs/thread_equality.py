@@ -25,6 +25,7 @@ THREADS = (2, 3, 4, 7)
 def told(log):
     """What a log tells but for the clock, the command and how ranks share the run."""
     text = RANKS.sub("", CLOCK.sub("", log.read_text(errors="replace")))
+    text = re.sub(r",\n +", ", ", text)  # where lists of files are folded
     return text.partition("\n  host ")[2].partition("\n")[2]
 
 

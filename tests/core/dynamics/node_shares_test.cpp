@@ -50,6 +50,17 @@ TEST_CASE("a rank follows the nodes of its chunks and of its sums", "[core][node
   CHECK(nodes.follows(1, 1296));
 }
 
+TEST_CASE("a node of no element is followed by the first rank", "[core][node_shares]") {
+  MeshBuilder builder;
+  builder.add_hexes({.cells = {8, 8, 40}});
+  builder.add_node({0, 0, 99});
+  const Mesh mesh = builder.build();
+  LongBar bar;
+  bar.model.mesh = &mesh;
+  const NodeShares nodes(bar.model, ChunkShares(bar.model.blocks, 2), {});
+  CHECK(nodes.follows(0, 81 * 41));
+}
+
 TEST_CASE("nodes that all need are followed by all ranks", "[core][node_shares]") {
   LongBar bar;
   const ChunkShares chunks(bar.model.blocks, 4);

@@ -94,13 +94,15 @@ TEST_CASE("what is counted is what ranks send in a step", "[core][rank_traffic]"
 
 TEST_CASE("of two ranks on a bar a layer of nodes, and what a sum has, is shared", "[core][rank_traffic]") {
   BarAndSheet bodies;
+  const Mesh bar = MeshBuilder().add_hexes({.cells = {8, 8, 40}}).build();
+  bodies.model.mesh = &bar;
   bodies.model.blocks.pop_back();
   const ChunkShares chunks(bodies.model.blocks, 2);
   const NodeShares nodes(bodies.model, chunks, {});
   // As tests of NodeShares count: both follow the nodes from 1296 to 2047.
   const RankTraffic traffic = find_traffic(bodies.model, chunks, nodes);
   CHECK(traffic.shared_nodes ==
-        Approx((2048.0 - 1296.0) / static_cast<double>(bodies.mesh.n_nodes())).epsilon(1e-12));
+        Approx((2048.0 - 1296.0) / static_cast<double>(bar.n_nodes())).epsilon(1e-12));
   CHECK(traffic.n_messages == 1);
   CHECK(traffic.imbalance == Approx(0.2));
 }

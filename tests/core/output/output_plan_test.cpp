@@ -26,14 +26,14 @@ class PlannedRun {
   PlannedRun() {
     definition.deck_base = "deck";
     settings.writers.open_results = [this](const ResultsFile& file, const Mesh& mesh,
-                                           std::span<const OutputField> fields) {
+                                           std::span<const OutputField> fields) -> OutputWriters::OpenResults {
       calls.push_back(
           fmt::format("open {} of {} nodes for {} fields", file.path, mesh.n_nodes(), fields.size()));
-      return [this, path = file.path, n_fields = fields.size()](double time,
-                                                                const OutputWriters::FieldValues& values) {
+      return {.append = [this, path = file.path, n_fields = fields.size()](double time,
+                                                                 const OutputWriters::FieldValues& values) {
         calls.push_back(fmt::format("{} at {}", path, time));
         for (std::size_t i = 0; i < n_fields; ++i) n_values += values(i).size();
-      };
+      }, .piece = piece};
     };
     settings.writers.open_heartbeat = [this](const HeartbeatFile& file, const Names& names) {
       calls.push_back(fmt::format("open '{}' for {}", file.path, fmt::join(names, " ")));
@@ -78,6 +78,7 @@ class PlannedRun {
   Diagnostics diagnostics;
   Names calls;
   std::size_t n_values = 0;
+  std::shared_ptr<const MeshPiece> piece;  ///< of all results files
 };
 
 OutputSchedule every_time(double increment) {
@@ -123,6 +124,21 @@ TEST_CASE("results are written by schedule, with the last state, histories witho
                            "deck.e at 0", "deck.h at 0", "deck.e at 2", "deck.e at 3", "deck.h at 3"});
   // The mass of each node, seven numbers and a vector, three times.
   CHECK(run.n_values == 3 * (46 + 7 + 3));
+}
+
+TEST_CASE("a piece of results has its own values, and needs no whole state", "[core][output]") {
+  PlannedRun run;
+  run.piece = std::make_shared<const MeshPiece>(MeshPiece{{5, 3, 4}, {{8, 0}, {}}});
+  run.settings.complete_state = [&run] { run.calls.push_back("all"); };
+  run.region.results_outputs = {results_of(2.0, {request(L::nodal, "velocity"), request(L::element, "von_mises")})};
+  run.region.heartbeat_outputs = {steps_to("log")};
+  run.region.heartbeat_outputs[0].schedule = every_time(3.0);
+  OutputPlan plan = run.make_plan();
+  run.advance(plan, 3);
+  CHECK(run.calls == Names{"open deck.e of 46 nodes for 11 fields", "open '' for step", "all", "deck.e at 0",
+                           "'' at 0: 0", "deck.e at 2", "all", "deck.e at 3", "'' at 3: 3"});
+  // Three nodes and two elements, seven numbers and a vector, three times.
+  CHECK(run.n_values == 3 * (9 + 2 + 7 + 3));
 }
 
 TEST_CASE("a heartbeat may watch results, history or restart, and have a schedule besides",

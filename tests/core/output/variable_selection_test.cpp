@@ -44,6 +44,22 @@ TEST_CASE("variables are found by name, older spelling, component", "[core][outp
         FieldLocation::element);
 }
 
+TEST_CASE("values of single entities are those of all", "[core][output]") {
+  SampleRun run;
+  run.deform(1.1 * Eigen::Matrix3d::Identity(), Eigen::Matrix3d::Constant(0.5));
+  const OutputVariables variables(run.model);
+  for (const char* component : {"", "y"}) {
+    const VariableSelection chosen = selection(variables, request(L::nodal, "velocity", component)).value();
+    const std::size_t n = chosen.n_components();
+    std::vector<double> all(run.mesh.n_nodes() * n);
+    fill(chosen, run.context(), {0, 0, run.mesh.n_nodes(), {}}, all);
+    const std::vector<std::uint32_t> nodes{7, 8, 9, 3, 4, 40, 39, 0};
+    std::vector<double> some(nodes.size() * n);
+    fill(chosen, run.context(), 0, nodes, some);
+    for (std::size_t i = 0; i < some.size(); ++i) CHECK(some[i] == all[nodes[i / n] * n + i % n]);
+  }
+}
+
 TEST_CASE("what is unknown is a warning that helps", "[core][output]") {
   const SampleRun run;
   const OutputVariables variables(run.model);

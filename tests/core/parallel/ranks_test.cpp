@@ -57,6 +57,21 @@ TEST_CASE("what the root alone does fails on all ranks", "[core][ranks]") {
   CHECK(n_failed == 3);
 }
 
+TEST_CASE("what one rank fails in fails on all ranks, and all know why", "[core][ranks]") {
+  std::atomic<int> n_told = 0;
+  ThreadRanks(3).run([&](Ranks& ranks) {
+    try {
+      on_each(ranks, [&] {
+        if (ranks.rank() == 2) throw FileError("results.e.3.2", "no space left");
+      });
+    } catch (const FileError& error) {
+      const std::string told = error.what();
+      n_told += told.ends_with("results.e.3.2: no space left") ? 1 : 0;
+    }
+  });
+  CHECK(n_told == 3);
+}
+
 TEST_CASE("lists of different lengths are joined in the order of the ranks", "[core][ranks]") {
   CHECK(one_rank().join(std::vector<int>{4, 2}) == std::vector<int>{4, 2});
   std::atomic<int> n_right = 0;

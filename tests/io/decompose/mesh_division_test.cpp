@@ -13,7 +13,7 @@ namespace {
 MeshDivision divide(const Mesh& mesh, std::uint32_t n_pieces) {
   const TemporaryDirectory directory;
   write_exodus(directory.file("m.g"), mesh);
-  return divide_mesh(mesh, ExodusFile(directory.file("m.g")), n_pieces);
+  return divide_mesh(mesh, ExodusFile(directory.file("m.g")), bisect_elements(mesh, n_pieces), n_pieces);
 }
 
 }  // namespace
