@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "core/dynamics/model.hpp"
+#include "core/dynamics/rank_share.hpp"
 #include "core/dynamics/state.hpp"
 
 namespace contactsim {
@@ -23,8 +24,9 @@ class BlockEnergyWatch {
  public:
   static constexpr std::int64_t interval = 100;  ///< steps from look to look
 
-  ///   model  must outlive the watch
-  explicit BlockEnergyWatch(const Model& model) : model_(model) {}
+  ///   model, share  must outlive the watch; no share on one rank
+  explicit BlockEnergyWatch(const Model& model, const RankShare* share = nullptr)
+      : model_(model), share_(share) {}
 
   /// To be called once, before the first step or where a run goes on.
   void begin(const State& state);
@@ -38,7 +40,11 @@ class BlockEnergyWatch {
     bool is_reported = false;
   };
 
+  template <class OfChunk>
+  std::vector<double> sum_over_blocks(const OfChunk& of_chunk) const;
+
   const Model& model_;
+  const RankShare* share_;
   std::vector<Watched> blocks_;  // as Model::blocks
 };
 

@@ -11,13 +11,13 @@ namespace contactsim {
 /// block.
 class EnergyWarnings {
  public:
-  /// Both must outlive this.
-  EnergyWarnings(const Model& model, Diagnostics& warnings) : model_(model), warnings_(warnings) {}
+  /// All must outlive this.
+  ///   share  null on one rank
+  EnergyWarnings(const Model& model, Diagnostics& warnings, const RankShare* share = nullptr)
+      : model_(model), warnings_(warnings), block_watch_(model, share) {}
 
   /// To be called once, before the first step or where a run goes on.
   void begin(const State& state) { block_watch_.begin(state); }
-  /// Whether step() looks at the elements of a state.
-  bool reads_elements(const State& state) const { return state.step % BlockEnergyWatch::interval == 0; }
   /// To be called after every step.
   void step(const State& state);
   /// To be called at the end of a run.
@@ -27,7 +27,7 @@ class EnergyWarnings {
   const Model& model_;
   Diagnostics& warnings_;
   EnergyWatch watch_{model_};
-  BlockEnergyWatch block_watch_{model_};
+  BlockEnergyWatch block_watch_;
   bool has_warned_ = false;
 };
 

@@ -120,12 +120,12 @@ ContactMoment RunContact::moment_of(const State& state, const ContactKinematics&
   return {kinematics, force_.rules(), state.coordinates, alive_, state.time};
 }
 
-void RunContact::watch(const State& state, const std::function<void()>& complete_state) {
+void RunContact::watch(const State& state, const std::function<void()>& complete_coordinates) {
   // A look costs up to a step of a large model; load steps cost more than any look.
   constexpr int steps_between_looks = 10;
   const ContactMoment moment = moment_of(state, force_.kinematics());
   if (!watch_.is_look_due(moment, input_.procedure.implicit_by ? 1 : steps_between_looks)) return;
-  complete_state();
+  complete_coordinates();
   watch_.look(moment);
 }
 

@@ -70,8 +70,8 @@ class RunContact {
   void add_suffix(const std::string& suffix);
 
   /// To be called after every step: looks from time to time whether bodies lie in each other.
-  ///   complete_state  called before it reads more than contact nodes
-  void watch(const State& state, const std::function<void()>& complete_state);
+  ///   complete_coordinates  called before it reads those of more than contact nodes
+  void watch(const State& state, const std::function<void()>& complete_coordinates);
   IndexedSpan<PairIndex, const Interpenetration> interpenetrations() const { return watch_.all(); }
   /// Saves or restores what contact remembers.
   void archive(const State& state, StateArchive& saved);

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "app/run/file_clashes.hpp"
+#include "app/run/gathered_results.hpp"
 #include "app/run/output_files.hpp"
 #include "core/base/errors.hpp"
 #include "core/definition/simulation.hpp"
@@ -22,26 +23,21 @@ std::vector<std::string> lines_of(const std::string& text) {
   return lines;
 }
 
-/// Writers that write on rank 0, but results in pieces, which all ranks do.
-OutputWriters on_root(Ranks& ranks, bool has_pieces, OutputWriters writers) {
-  if (!ranks.are_several()) return writers;
+/// What ranks write together: in pieces each its own, else rank 0 of the values of all.
+OutputWriters on_ranks(const ResultsPieces& pieces, bool writes_pieces, const OutputWriters& writers) {
   OutputWriters made = writers;
-  made.open_results = [&ranks, has_pieces, writers](
-                          const ResultsFile& file, const Mesh& mesh,
-                          std::span<const OutputField> fields) -> OutputWriters::OpenResults {
-    if (has_pieces && file.has_mesh) return writers.open_results(file, mesh, fields);
-    OutputWriters::OpenResults open;
-    contactsim::on_root(ranks, [&] { open = writers.open_results(file, mesh, fields); });
-    return {[&ranks, append = std::move(open.append)](double time, const OutputWriters::FieldValues& values) {
-      contactsim::on_root(ranks, [&] { append(time, values); });
-    }};
+  Ranks& ranks = pieces.ranks;
+  made.open_results = [pieces, writes_pieces, writers](const ResultsFile& file, const Mesh& mesh,
+                                                       std::span<const OutputField> fields) {
+    const auto open = [&] { return writers.open_results(file, mesh, fields); };
+    return writes_pieces && file.has_mesh ? open() : open_gathered_results(pieces, mesh, fields, open);
   };
   made.open_heartbeat = [&ranks, writers](const HeartbeatFile& file,
                                           std::vector<std::string> names) -> OutputWriters::AppendLine {
     OutputWriters::AppendLine append;
-    contactsim::on_root(ranks, [&] { append = writers.open_heartbeat(file, std::move(names)); });
+    on_root(ranks, [&] { append = writers.open_heartbeat(file, std::move(names)); });
     return [&ranks, append](double time, std::span<const double> values) {
-      contactsim::on_root(ranks, [&] { append(time, values); });
+      on_root(ranks, [&] { append(time, values); });
     };
   };
   return made;
@@ -56,10 +52,14 @@ OutputSettings output_settings(const RunInput& input, const RunSettings& setting
   files.command_line = settings.command_line;
   files.deck_lines = lines_of(input.definition.text);
   files.log = settings.write_text;
-  if (settings.writes_pieces)
-    files.pieces.emplace(settings.ranks, find_ranks_of_elements(model, settings.ranks.count()));
+  Ranks& ranks = settings.ranks;
+  const ResultsPieces pieces(ranks, ranks.are_several() || settings.writes_pieces
+                                        ? find_ranks_of_elements(model, ranks.count())
+                                        : std::vector<std::uint32_t>());
+  if (settings.writes_pieces) files.pieces.emplace(pieces);
   OutputSettings made;
-  made.writers = on_root(settings.ranks, settings.writes_pieces, make_output_writers(std::move(files)));
+  made.writers = make_output_writers(std::move(files));
+  if (ranks.are_several()) made.writers = on_ranks(pieces, settings.writes_pieces, made.writers);
   made.complete_state = std::move(complete_state);
   made.results_path = settings.results_path;
   made.always_computes = !input.region.element_deaths.empty();

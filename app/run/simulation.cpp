@@ -66,7 +66,6 @@ void Simulation::begin_anew() {
   run.start_anew();
   return_freed_memory();
   notify(RunEvent::begun);
-  run.complete_state();
   run.energy_warnings.begin(run.state);
   end_step();
   run.restart.begin(run.state);
@@ -121,11 +120,10 @@ void Simulation::step() {
   Parts& run = *parts_;
   try_to([&] {
     if (!run.advance()) return stop(run.find_stop().value());
-    if (run.energy_warnings.reads_elements(run.state)) run.complete_state();
     run.energy_warnings.step(run.state);
     if (run.load_steps) run.load_step_warnings.step(run.state, run.load_steps->report());
     if (run.contact && !run.load_steps) run.contact->stop_at_runaway(run.state);
-    if (run.contact) run.contact->watch(run.state, [&run] { run.complete_state(); });
+    if (run.contact) run.contact->watch(run.state, [&run] { run.complete_coordinates(); });
     end_step();
     store(false, false);
   });

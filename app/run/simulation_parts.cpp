@@ -85,7 +85,7 @@ Simulation::Parts::Parts(const RunInput& run_input, RunSettings run_settings, Di
       shared_internal(make_shared_elements(setup, internal, share.get())),
       timed_internal(shared_internal ? static_cast<ForceTerm&>(*shared_internal) : internal),
       timed_external(setup.external),
-      energy_warnings(setup.model, diagnostics),
+      energy_warnings(setup.model, diagnostics, share.get()),
       load_step_warnings(diagnostics) {
   if (!setup.model.subcycles.empty()) {
     if (contact) refuse_subcycled_contact(scope, setup.model, contact->force().contact_mesh(), diagnostics);
@@ -93,6 +93,7 @@ Simulation::Parts::Parts(const RunInput& run_input, RunSettings run_settings, Di
   }
   stop_on_errors(diagnostics);
   if (share != nullptr && !setup.load_schedule) {
+    outputs.share_among(*share);
     setup.external.follow(share->followed());
     if (death) death->share_among(*share, [this] { complete_state(); });
   }
@@ -217,6 +218,10 @@ void Simulation::Parts::complete_state() {
   if (share == nullptr || load_steps || complete_step == state.step) return;
   share->complete(state);
   complete_step = state.step;
+}
+
+void Simulation::Parts::complete_coordinates() {
+  if (share != nullptr && !load_steps) share->gather_nodes(state.coordinates);
 }
 
 void Simulation::Parts::let_die() {

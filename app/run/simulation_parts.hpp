@@ -56,6 +56,8 @@ struct Simulation::Parts {
   void let_die();
   /// Has the state hold what other ranks know of it, for who reads more than a step leaves on each.
   void complete_state();
+  /// Has it hold where all nodes are.
+  void complete_coordinates();
   /// Why the run ends with its state, if it does.
   std::optional<EarlyEnd> find_end();
   std::vector<PartTime> times() const;

@@ -44,20 +44,19 @@ ChunkRange RankShare::own_values(std::size_t block) const {
   return {begin_of(own.begin), begin_of(own.end)};
 }
 
-bool RankShare::has_element(ElementIndex element) const {
+std::optional<int> RankShare::rank_of(ElementIndex element) const {
   for (std::size_t b = 0; b < model_.blocks.size(); ++b) {
     const ModelBlock& block = model_.blocks[b];
     if (element < block.first_element || element.value >= block.first_element.value + block.n_elements)
       continue;
     const std::size_t batch = (element.value - block.first_element.value) / n_lanes;
-    const ChunkRange own = own_chunks(b);
-    return std::any_of(block.chunks.begin() + static_cast<std::ptrdiff_t>(own.begin),
-                       block.chunks.begin() + static_cast<std::ptrdiff_t>(own.end),
-                       [&](const BatchChunk& chunk) {
-                         return chunk.first_batch <= batch && batch < chunk.first_batch + chunk.n_batches;
-                       });
+    const auto after = std::ranges::upper_bound(block.chunks, batch, {}, &BatchChunk::first_batch);
+    const auto chunk = static_cast<std::size_t>(after - block.chunks.begin()) - 1;
+    for (int rank = 0; rank < chunks_.n_ranks(); ++rank) {
+      if (chunks_.of(rank, b).contains(chunk)) return rank;
+    }
   }
-  return false;
+  return std::nullopt;
 }
 
 void RankShare::find_places() {
@@ -110,7 +109,7 @@ void RankShare::visit(const Places& places, State& state, const Item& item) cons
 }
 
 void RankShare::exchange(std::span<ChunkStep> steps, State& state) {
-  ranks_.gather_items(steps, chunks_.begins());
+  complete_chunks(steps);
   const auto n_ranks = static_cast<std::size_t>(ranks_.count());
   std::vector<std::span<const std::byte>> out(n_ranks);
   std::vector<std::span<std::byte>> in(n_ranks);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -30,8 +31,11 @@ class RankShare {
   ChunkRange own_chunks(std::size_t block) const { return chunks_.of(ranks_.rank(), block); }
   /// Where what they remember stands in ModelBlockState::values.
   ChunkRange own_values(std::size_t block) const;
-  /// Whether this rank advances an element of the mesh.
-  bool has_element(ElementIndex element) const;
+  /// The rank that advances an element of the mesh, none of one that is not advanced.
+  std::optional<int> rank_of(ElementIndex element) const;
+  bool has_element(ElementIndex element) const { return rank_of(element) == ranks_.rank(); }
+  /// A rank that follows a node.
+  int rank_of(NodeIndex node) const { return nodes_.rank_of_sum(node.value / nodes_per_sum); }
   /// Ranks::join().
   template <class Item>
   std::vector<Item> join(const std::vector<Item>& own) const {
@@ -48,6 +52,12 @@ class RankShare {
   ///   steps  [n_chunks of all blocks] those of the own chunks are known
   void exchange(std::span<ChunkStep> steps, State& state);
 
+  /// Completes what each rank has of its own chunks.
+  ///   of_chunks  [n_chunks of all blocks] items without pointers
+  template <class Item>
+  void complete_chunks(std::span<Item> of_chunks) const {
+    ranks_.gather_items(of_chunks, chunks_.begins());
+  }
   /// Completes sums over nodes.
   ///   sums  [n_sums] those that this rank makes are known
   template <class Sum>

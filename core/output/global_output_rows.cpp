@@ -15,6 +15,11 @@ constexpr OutputRow always(OutputRow row) {
   return row;
 }
 
+constexpr OutputRow from_all(OutputRow row) {
+  row.reads_all = true;
+  return row;
+}
+
 // A row that copies one of the energies.
 template <double Energies::*energy>
 constexpr OutputRow energy_row(std::string_view name, std::string_view help) {
@@ -113,15 +118,15 @@ std::span<const OutputRow> global_output_rows() {
           "Part of contact_energy, lost to CONTACT STABILIZATION of load steps [energy]"),
       always(energy_row<&Energies::error>(
           "energy_error", "Energy that appeared from nowhere: what the balance lacks [energy]")),
-      OutputRow{"strain_energy", L::global, S::scalar, false, fill_strain_energy,
+      from_all(OutputRow{"strain_energy", L::global, S::scalar, false, fill_strain_energy,
                 "Work of the materials' stresses, plastic work included; internal_energy without hourglass "
-                "and bulk viscosity [energy]"},
+                "and bulk viscosity [energy]"}),
       always(OutputRow{"momentum", L::global, S::vector, false, fill_momentum,
                        "Linear momentum [mass length/time]"}),
-      OutputRow{"angular_momentum", L::global, S::vector, false, fill_angular_momentum,
-                "Angular momentum about the origin [mass length^2/time]"},
-      OutputRow{"dead_elements", L::global, S::scalar, false, fill_dead_elements,
-                "Number of elements that have died so far [1]"},
+      from_all(OutputRow{"angular_momentum", L::global, S::vector, false, fill_angular_momentum,
+                "Angular momentum about the origin [mass length^2/time]"}),
+      from_all(OutputRow{"dead_elements", L::global, S::scalar, false, fill_dead_elements,
+                "Number of elements that have died so far [1]"}),
   };
   return rows;
 }

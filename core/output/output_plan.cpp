@@ -146,7 +146,8 @@ void OutputPlan::open_files() {
 std::optional<EarlyEnd> OutputPlan::check_termination(const State& state) {
   const OutputContext context{model_, state};
   const bool ends = !terminations_.is_empty(), are_needed = ends || settings_.always_computes;
-  if (ends || (are_needed && !user_outputs_.is_empty()) || user_outputs_.has_every_step())
+  if (terminations_.reads_all() || (are_needed && !user_outputs_.is_empty()) ||
+      user_outputs_.has_every_step())
     settings_.complete_state();
   user_outputs_.compute(context, are_needed);
   return terminations_.find_end(context);
@@ -175,9 +176,15 @@ bool OutputPlan::find_due(const OutputTime& now) {
 }
 
 bool OutputPlan::reads_whole_state() const {
-  const auto reads_whole = [](const Results& results) { return results.is_due && results.open.piece == nullptr; };
-  return !user_outputs_.is_empty() || std::ranges::any_of(results_, reads_whole) ||
-         std::ranges::any_of(heartbeats_, &Heartbeat::is_due);
+  const auto of_results = [](const Results& results) {
+    const bool is_whole = results.plan.file.has_mesh && results.open.piece == nullptr;
+    return results.is_due && (is_whole || results.plan.fields.read_all());
+  };
+  const auto of_heartbeat = [](const Heartbeat& heartbeat) {
+    return heartbeat.is_due && heartbeat.plan.values.read_all();
+  };
+  return !user_outputs_.is_empty() || std::ranges::any_of(results_, of_results) ||
+         std::ranges::any_of(heartbeats_, of_heartbeat);
 }
 
 std::span<const double> OutputPlan::values_of(Results& results, std::size_t field,
@@ -192,8 +199,25 @@ std::span<const double> OutputPlan::values_of(Results& results, std::size_t fiel
   return has_spheres ? rigid_part_.extended(results.defined[field], values, context.state) : values;
 }
 
-void OutputPlan::Heartbeat::write(const State& state, const OutputContext& context) {
-  append(state.time, evaluate_all(plan.values, context));
+/// Of a history, whose fields are single values.
+void OutputPlan::write_single_values(Results& results, const OutputContext& context) const {
+  const std::vector<double> all = evaluate_all(results.plan.fields, context, share_);
+  std::vector<std::size_t> begins{0};
+  for (const OutputField& field : results.defined)
+    begins.push_back(begins.back() + static_cast<std::size_t>(field.n_components));
+  results.open.append(context.state.time, [&](std::size_t field) {
+    return std::span(all).subspan(begins[field], begins[field + 1] - begins[field]);
+  });
+}
+
+void OutputPlan::write(Results& results, const OutputContext& context) {
+  if (!results.plan.file.has_mesh) return write_single_values(results, context);
+  results.open.append(context.state.time,
+                      [&](std::size_t field) { return values_of(results, field, context); });
+}
+
+void OutputPlan::Heartbeat::write(const State& state, const OutputContext& context, const RankShare* share) {
+  append(state.time, evaluate_all(plan.values, context, share));
   last_step = state.step;
 }
 
@@ -204,12 +228,10 @@ void OutputPlan::write(const State& state, bool is_last) {
   if (is_any_due && reads_whole_state()) settings_.complete_state();
   user_outputs_.compute(context, is_any_due);
   for (Results& results : results_) {
-    if (!results.is_due) continue;
-    results.open.append(state.time,
-                        [&](std::size_t field) { return values_of(results, field, context); });
+    if (results.is_due) write(results, context);
   }
   for (Heartbeat& heartbeat : heartbeats_) {
-    if (heartbeat.is_due) heartbeat.write(state, context);
+    if (heartbeat.is_due) heartbeat.write(state, context, share_);
   }
 }
 
@@ -220,7 +242,7 @@ void OutputPlan::write_at_restart(const State& state) {
     const OutputContext context{model_, state};
     settings_.complete_state();
     user_outputs_.compute(context, true);
-    heartbeat.write(state, context);
+    heartbeat.write(state, context, share_);
   }
 }
 

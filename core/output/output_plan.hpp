@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "core/dynamics/rank_share.hpp"
 #include "core/dynamics/time_step.hpp"
 #include "core/output/planned_files.hpp"
 #include "core/output/rigid_part.hpp"
@@ -43,6 +44,10 @@ class OutputPlan {
   OutputPlan(const ConditionScope& scope, const Model& model, OutputSettings settings);
   OutputPlan(const OutputPlan&) = delete;
   OutputPlan& operator=(const OutputPlan&) = delete;
+
+  /// On several ranks, which each know their own nodes and elements between two calls of
+  /// OutputSettings::complete_state. The share must outlive it. Precedes all that is called on every rank.
+  void share_among(const RankShare& share) { share_ = &share; }
 
   /// Brings what the deck computes to the state, and says whether a SOLUTION TERMINATION ends the run with
   /// it. To be called once for the state of the start and that after every step, before write().
@@ -92,18 +97,21 @@ class OutputPlan {
     bool is_due = false;
     std::optional<std::int64_t> last_step;  ///< that was written
 
-    void write(const State& state, const OutputContext& context);
+    void write(const State& state, const OutputContext& context, const RankShare* share);
   };
 
   /// The mesh of results: with the sets and the rigid part that a run adds.
   Mesh results_mesh() const;
   void open_files();
   bool find_due(const OutputTime& now);
-  /// Whether what is due reads more than the pieces of results files.
+  /// Whether what is due reads more than each rank knows of a state.
   bool reads_whole_state() const;
+  void write(Results& results, const OutputContext& context);
+  void write_single_values(Results& results, const OutputContext& context) const;
   std::span<const double> values_of(Results& results, std::size_t field, const OutputContext& context);
 
   const Model& model_;
+  const RankShare* share_ = nullptr;
   RigidPart rigid_part_;
   OutputVariables variables_;
   UserOutputs user_outputs_;

@@ -38,6 +38,7 @@ struct OutputRow {
   bool is_of_shells = false;       ///< only shells have it, of element variables
   bool is_always_written = false;  ///< every results file has it, of globals
   bool is_of_cohesive = false;     ///< only cohesive elements have it, of element variables
+  bool reads_all = false;          ///< a global that is found from all nodes, or all elements
 
   int n_components() const { return shape == FieldShape::list ? list_size : component_count(shape); }
 };

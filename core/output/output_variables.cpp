@@ -54,7 +54,8 @@ void OutputVariables::add_rows(std::span<const OutputRow> rows) {
   for (const OutputRow& row : rows) {
     OutputVariable variable{
         std::string(row.name), row.location,     row.shape, row.n_components(),
-        row.is_at_points,      /*in_blocks*/ {}, row.fill,  std::string(dimension_of(row.help))};
+        row.is_at_points,      /*in_blocks*/ {}, row.fill,  std::string(dimension_of(row.help)),
+        row.reads_all};
     if (row.location == FieldLocation::element) {
       for (const ModelBlock& block : model_.blocks) {
         const bool has_it = (!row.is_of_shells || !block.thickness.empty()) &&

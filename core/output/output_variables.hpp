@@ -27,6 +27,7 @@ struct OutputVariable {
   /// Sets the values, [count x n_components]. Any thread may call it; it changes nothing.
   Fill fill;
   std::string dimension = {};  ///< of all components, "[force]"; "" when nobody knows
+  bool reads_all = false;      ///< a global that is found from all nodes, or all elements
 };
 
 /// All variables of a run by location and name.

@@ -199,6 +199,10 @@ std::vector<OutputField> RequestedFields::fields() const {
   return fields;
 }
 
+bool RequestedFields::read_all() const {
+  return std::ranges::any_of(fields_, [](const Field& field) { return field.selection.variable->reads_all; });
+}
+
 std::span<const double> RequestedFields::evaluate(std::size_t field, const OutputContext& context) {
   const auto& [selection, range, description] = fields_[field];
   values_.resize(range.count * selection.n_components());

@@ -35,6 +35,10 @@ class RequestedFields {
 
   std::size_t size() const { return fields_.size(); }
   const VariableSelection& selection(std::size_t field) const { return fields_[field].selection; }
+  /// Whose values it has.
+  const EntityRange& range(std::size_t field) const { return fields_[field].range; }
+  /// Whether some are globals that are found from all nodes or elements.
+  bool read_all() const;
   /// Names and places of all fields.
   std::vector<OutputField> fields() const;
 

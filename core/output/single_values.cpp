@@ -166,6 +166,33 @@ class ValueMaker {
   std::vector<RequestedFields::Field> fields_;
 };
 
+constexpr int every_rank = -1;
+
+int rank_that_knows(const RequestedFields& fields, std::size_t field, const Model& model,
+                    const RankShare& share) {
+  const EntityRange& range = fields.range(field);
+  const auto entity = static_cast<std::uint32_t>(range.first);
+  const FieldLocation location = fields.selection(field).variable->location;
+  if (location == FieldLocation::node) return share.rank_of(NodeIndex{entity});
+  if (location != FieldLocation::element) return every_rank;
+  return share.rank_of(ElementIndex{model.blocks[range.block].first_element.value + entity})
+      .value_or(every_rank);
+}
+
+/// Gives all ranks each value that one of them knows.
+void take_from_ranks(std::span<const int> known_by, Ranks& ranks, std::span<double> values) {
+  const std::size_t n = values.size();
+  std::vector<double> of_all(n * static_cast<std::size_t>(ranks.count()));
+  std::vector<std::size_t> begins;
+  for (std::size_t rank = 0; rank <= static_cast<std::size_t>(ranks.count()); ++rank)
+    begins.push_back(rank * n);
+  std::ranges::copy(values, of_all.begin() + static_cast<std::ptrdiff_t>(n) * ranks.rank());
+  ranks.gather_items(std::span(of_all), begins);
+  for (std::size_t i = 0; i < n; ++i) {
+    if (known_by[i] != every_rank) values[i] = of_all[static_cast<std::size_t>(known_by[i]) * n + i];
+  }
+}
+
 }  // namespace
 
 RequestedFields make_single_values(const OutputVariables& variables,
@@ -193,12 +220,17 @@ std::vector<std::string> value_dimensions(const RequestedFields& fields) {
   return dimensions;
 }
 
-std::vector<double> evaluate_all(RequestedFields& fields, const OutputContext& context) {
+std::vector<double> evaluate_all(RequestedFields& fields, const OutputContext& context,
+                                 const RankShare* share) {
   std::vector<double> all;
+  std::vector<int> ranks;  // that know them
   for (std::size_t i = 0; i < fields.size(); ++i) {
     const std::span<const double> values = fields.evaluate(i, context);
     all.insert(all.end(), values.begin(), values.end());
+    if (share != nullptr) ranks.resize(all.size(), rank_that_knows(fields, i, context.model, *share));
   }
+  if (share != nullptr && std::ranges::any_of(ranks, [](int rank) { return rank != every_rank; }))
+    take_from_ranks(ranks, share->ranks(), all);
   return all;
 }
 

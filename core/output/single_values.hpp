@@ -4,6 +4,7 @@
 #include <span>
 #include <string>
 
+#include "core/dynamics/rank_share.hpp"
 #include "core/output/requested_fields.hpp"
 
 namespace contactsim {
@@ -24,6 +25,8 @@ std::vector<std::string> value_names(const RequestedFields& fields);
 std::vector<std::string> value_dimensions(const RequestedFields& fields);
 
 /// All values at one time, field by field.
-std::vector<double> evaluate_all(RequestedFields& fields, const OutputContext& context);
+///   share  on several ranks, which know the values of their own nodes and elements alone; else null
+std::vector<double> evaluate_all(RequestedFields& fields, const OutputContext& context,
+                                 const RankShare* share);
 
 }  // namespace contactsim

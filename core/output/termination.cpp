@@ -50,6 +50,15 @@ Terminations::Terminations(std::span<const SolutionTermination> definitions, con
   }
 }
 
+bool Terminations::reads_all() const {
+  const auto reads = [](const Criterion& criterion) {
+    const OutputVariable& variable = *criterion.selection.variable;
+    return variable.reads_all || variable.location != FieldLocation::global;
+  };
+  return std::ranges::any_of(blocks_,
+                             [&](const Block& block) { return std::ranges::any_of(block.criteria, reads); });
+}
+
 std::optional<double> Terminations::find_fulfilling(const Criterion& criterion,
                                                     const OutputContext& context) {
   const VariableTest& test = criterion.definition.test;

@@ -30,6 +30,8 @@ class Terminations {
   std::optional<EarlyEnd> find_end(const OutputContext& context) const;
 
   bool is_empty() const { return blocks_.empty(); }
+  /// Whether it reads values of nodes or elements, or globals that are found from all of them.
+  bool reads_all() const;
 
  private:
   struct Criterion {

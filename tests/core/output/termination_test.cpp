@@ -50,6 +50,22 @@ TEST_CASE("a global variable ends the run", "[core][output]") {
         "kineticenergy is 5.5 = 5.5");
 }
 
+TEST_CASE("globals that all ranks know need no whole state", "[core][output]") {
+  const SampleRun run;
+  const OutputVariables variables(run.model);
+  const auto reads_all = [&](L location, const std::string& name) {
+    SolutionTermination definition;
+    definition.criteria = {criterion(location, name, Comparison::greater, 5.0)};
+    Diagnostics diagnostics;
+    return Terminations({&definition, 1}, variables, diagnostics).reads_all();
+  };
+  CHECK_FALSE(reads_all(L::global, "kinetic_energy"));
+  CHECK(reads_all(L::global, "strain_energy"));
+  CHECK(reads_all(L::nodal, "mass"));
+  Diagnostics diagnostics;
+  CHECK_FALSE(Terminations({}, variables, diagnostics).reads_all());
+}
+
 TEST_CASE("any node or element may end the run, or their mean, or an extreme", "[core][output]") {
   SampleRun run;
   run.set_point_value(0, 8, 0, 22.0);
