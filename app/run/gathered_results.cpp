@@ -111,10 +111,11 @@ OutputWriters::OpenResults open_gathered_results(const ResultsPieces& pieces, co
   OutputWriters::OpenResults opened;
   on_root(pieces.ranks, [&] { opened = open(); });
   const auto gatherer = std::make_shared<FieldGatherer>(pieces, mesh, fields);
-  return {[gatherer, write = std::move(opened.append)](double time, const OutputWriters::FieldValues& values) {
-            gatherer->append(time, values, write);
-          },
-          gatherer->own_piece()};
+  return {
+      [gatherer, write = std::move(opened.append)](double time, const OutputWriters::FieldValues& values) {
+        gatherer->append(time, values, write);
+      },
+      gatherer->own_piece()};
 }
 
 }  // namespace contactsim

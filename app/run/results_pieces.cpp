@@ -26,7 +26,8 @@ std::vector<std::uint32_t> in_order_of_file(const Mesh& mesh, std::span<const st
 /// Makes all pieces without a step: of the whole file, which is there for that alone.
 void make_pieces(const PieceFiles& files, const ResultsFile& file, const Mesh& mesh, const ResultsText& text,
                  std::span<const OutputField> fields, std::span<const std::uint32_t> piece_of) {
-  for (std::size_t piece = 0; piece < files.count; ++piece) refuse_to_replace(files.path(piece), file.overwrites);
+  for (std::size_t piece = 0; piece < files.count; ++piece)
+    refuse_to_replace(files.path(piece), file.overwrites);
   const std::string whole = files.path(0) + ".whole";
   { const ResultsWriter without_steps(whole, mesh, text, fields); }
   try {

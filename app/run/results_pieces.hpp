@@ -26,8 +26,8 @@ struct ResultsPieces {
 /// The names of the pieces of a results file, <path>.P.r.
 PieceFiles name_results_pieces(const ResultsPieces& pieces, const ResultsFile& file);
 
-/// Makes the pieces of a results file, which replace older ones, and opens that of this rank. All ranks call it
-/// and append alike.
+/// Makes the pieces of a results file, which replace older ones, and opens that of this rank. All ranks call
+/// it and append alike.
 ///   mesh  that of the run, to which elements may be added: they are of the first piece
 /// Throws FileError, on all ranks.
 OutputWriters::OpenResults open_results_piece(const ResultsPieces& pieces, const ResultsFile& file,

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "app/run/run_outputs.hpp"
 
+#include <fmt/format.h>
+
+#include <filesystem>
 #include <sstream>
 #include <utility>
 
@@ -65,6 +68,23 @@ OutputSettings output_settings(const RunInput& input, const RunSettings& setting
   made.always_computes = !input.region.element_deaths.empty();
   if (contact != nullptr) contact->add_to(made);
   return made;
+}
+
+void warn_of_results_beside_pieces(const std::vector<std::string>& paths, Diagnostics& warnings) {
+  for (const std::string& path : paths) {
+    const auto written = parse_piece_path(path);
+    if (!written || path != written->path(0)) continue;
+    const auto warn = [&](const std::string& other) {
+      warnings.add_warning("results-beside-pieces", {},
+                           fmt::format("{} is of an earlier run; this one writes {}", other, path),
+                           "remove it, or readers may take it for the results of this run");
+    };
+    std::error_code ignored;
+    if (std::filesystem::exists(written->base, ignored)) warn(written->base);
+    for (const PieceFiles& others : find_decompositions(written->base)) {
+      if (others.count != written->count) warn(others.path(0));
+    }
+  }
 }
 
 void check_output_paths(const std::vector<RunFile>& kept, const std::vector<std::string>& paths) {

@@ -19,6 +19,11 @@ OutputSettings output_settings(
     const RunInput& input, const RunSettings& settings, const Model& model, RunContact* contact,
     std::function<void()> complete_state = [] {});
 
+/// Warns of results of an earlier run that stay where this one writes pieces ("results-beside-pieces"):
+/// readers of the name would take them.
+///   paths  of all outputs
+void warn_of_results_beside_pieces(const std::vector<std::string>& paths, Diagnostics& warnings);
+
 /// No output may replace a file that is to be kept, and all must be writable: throws FileError.
 void check_output_paths(const std::vector<RunFile>& kept, const std::vector<std::string>& paths);
 

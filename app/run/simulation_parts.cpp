@@ -125,6 +125,7 @@ void Simulation::Parts::prepare_files() {
   outputs.add_suffix(restart.suffix());
   if (contact) contact->add_suffix(restart.suffix());
   check_files();
+  if (settings.writes_pieces) warn_of_results_beside_pieces(outputs.paths(), diagnostics);
   for (StepTarget& target : outputs.step_targets()) setup.control.add_target(std::move(target));
   if (auto target = restart.step_target()) setup.control.add_target(std::move(*target));
   if (settings.ends_on_time) setup.control.add_target(make_last_target(setup.control.termination_time()));

@@ -118,15 +118,16 @@ std::span<const OutputRow> global_output_rows() {
           "Part of contact_energy, lost to CONTACT STABILIZATION of load steps [energy]"),
       always(energy_row<&Energies::error>(
           "energy_error", "Energy that appeared from nowhere: what the balance lacks [energy]")),
-      from_all(OutputRow{"strain_energy", L::global, S::scalar, false, fill_strain_energy,
-                "Work of the materials' stresses, plastic work included; internal_energy without hourglass "
-                "and bulk viscosity [energy]"}),
+      from_all(OutputRow{
+          "strain_energy", L::global, S::scalar, false, fill_strain_energy,
+          "Work of the materials' stresses, plastic work included; internal_energy without hourglass "
+          "and bulk viscosity [energy]"}),
       always(OutputRow{"momentum", L::global, S::vector, false, fill_momentum,
                        "Linear momentum [mass length/time]"}),
       from_all(OutputRow{"angular_momentum", L::global, S::vector, false, fill_angular_momentum,
-                "Angular momentum about the origin [mass length^2/time]"}),
+                         "Angular momentum about the origin [mass length^2/time]"}),
       from_all(OutputRow{"dead_elements", L::global, S::scalar, false, fill_dead_elements,
-                "Number of elements that have died so far [1]"}),
+                         "Number of elements that have died so far [1]"}),
   };
   return rows;
 }

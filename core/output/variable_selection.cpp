@@ -141,8 +141,8 @@ void fill_piece(const VariableSelection& selection, const OutputContext& context
   }
 }
 
-/// Threads share many values: calls visit(begin, count) for parts of them. What a part takes may not be there:
-/// of one thread that leaves as an error.
+/// Threads share many values: calls visit(begin, count) for parts of them. What a part takes may not be
+/// there: of one thread that leaves as an error.
 template <class Visit>
 void visit_pieces(std::size_t n, const Visit& visit) {
   constexpr std::size_t piece_size = 1024;

@@ -11,8 +11,8 @@
 
 namespace contactsim {
 
-/// Has each rank do what another may fail in: write a file of its own. Where that throws FileError on any rank
-/// all throw one.
+/// Has each rank do what another may fail in: write a file of its own. Where that throws FileError on any
+/// rank all throw one.
 template <class Work>
 void on_each(Ranks& ranks, const Work& work) {
   if (!ranks.are_several()) return work();

@@ -23,7 +23,7 @@ class Ranks {
   int rank() const { return rank_; }
   int count() const { return count_; }
   bool are_several() const { return count_ > 1; }
-  /// Rank 0 reads clocks, prints and writes files.
+  /// Rank 0 reads clocks, prints and writes files, but pieces of results.
   bool is_root() const { return rank_ == 0; }
 
   /// Every rank gets the parts of all.

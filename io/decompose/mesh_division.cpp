@@ -103,7 +103,8 @@ class MeshDivider {
 
   /// Ascending; of a node without elements the first piece.
   std::span<const std::uint32_t> pieces_of(std::uint32_t node) const {
-    return std::span(pieces_of_nodes_).subspan(first_piece_[node], first_piece_[node + 1] - first_piece_[node]);
+    return std::span(pieces_of_nodes_)
+        .subspan(first_piece_[node], first_piece_[node + 1] - first_piece_[node]);
   }
 
   void divide_nodes() {
@@ -258,7 +259,7 @@ class MeshDivider {
   std::uint32_t n_pieces_;
   NetcdfLayout layout_;
   MeshDivision made_;
-  std::vector<std::uint32_t> piece_of_, local_;  // of each element, its position in the piece
+  std::vector<std::uint32_t> piece_of_, local_;               // of each element, its position in the piece
   std::vector<std::uint32_t> first_piece_, pieces_of_nodes_;  // [n_nodes + 1] where those of each node begin
 };
 

@@ -169,6 +169,8 @@ def results_in_pieces_are_those_of_one_process(runs):
         join_pieces(runs.program, folder)
         difference = RankEquality.file_difference(whole / "impact.e", folder / "impact.e")
         check(not difference, f"of {n_ranks} pieces: {difference}")
+    _, result = runs.run("written_in_3", 2, quiet, words=["--pieces"])
+    check(result.stderr.count("[results-beside-pieces]") == 1 and "impact.e is of an earlier run" in result.stderr, result.stderr)
     folder = runs.prepare("no_room", quiet)
     (folder / "impact.e.3.1").mkdir()
     result = subprocess.run(runs.command(3, words=["--pieces"]), cwd=folder, capture_output=True, text=True, timeout=120)

@@ -51,7 +51,8 @@ struct DividedBar {
     const OutputField& of = fields[f];
     if (of.location == FieldLocation::global) return whole(f);
     std::vector<double> values;
-    for (const std::uint32_t e : of.location == FieldLocation::node ? piece.nodes : piece.elements[of.block]) {
+    for (const std::uint32_t e :
+         of.location == FieldLocation::node ? piece.nodes : piece.elements[of.block]) {
       for (std::size_t c = 0; c < static_cast<std::size_t>(of.n_components); ++c)
         values.push_back(value(f, e, c));
     }

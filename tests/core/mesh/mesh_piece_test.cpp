@@ -12,8 +12,8 @@ using namespace contactsim::test;
 
 namespace {
 
-/// Blocks of six and two hexahedra that share no node, and a node of no element; files have all of it the other
-/// way round.
+/// Blocks of six and two hexahedra that share no node, and a node of no element; files have all of it the
+/// other way round.
 Mesh turned_mesh() {
   MeshBuilder builder;
   builder.add_hexes({.id = 1, .cells = {6, 1, 1}});

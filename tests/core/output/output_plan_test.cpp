@@ -25,15 +25,18 @@ class PlannedRun {
  public:
   PlannedRun() {
     definition.deck_base = "deck";
-    settings.writers.open_results = [this](const ResultsFile& file, const Mesh& mesh,
-                                           std::span<const OutputField> fields) -> OutputWriters::OpenResults {
+    settings.writers.open_results = [this](
+                                        const ResultsFile& file, const Mesh& mesh,
+                                        std::span<const OutputField> fields) -> OutputWriters::OpenResults {
       calls.push_back(
           fmt::format("open {} of {} nodes for {} fields", file.path, mesh.n_nodes(), fields.size()));
-      return {.append = [this, path = file.path, n_fields = fields.size()](double time,
-                                                                 const OutputWriters::FieldValues& values) {
-        calls.push_back(fmt::format("{} at {}", path, time));
-        for (std::size_t i = 0; i < n_fields; ++i) n_values += values(i).size();
-      }, .piece = piece};
+      return {.append =
+                  [this, path = file.path, n_fields = fields.size()](
+                      double time, const OutputWriters::FieldValues& values) {
+                    calls.push_back(fmt::format("{} at {}", path, time));
+                    for (std::size_t i = 0; i < n_fields; ++i) n_values += values(i).size();
+                  },
+              .piece = piece};
     };
     settings.writers.open_heartbeat = [this](const HeartbeatFile& file, const Names& names) {
       calls.push_back(fmt::format("open '{}' for {}", file.path, fmt::join(names, " ")));
@@ -130,7 +133,8 @@ TEST_CASE("a piece of results has its own values, and needs no whole state", "[c
   PlannedRun run;
   run.piece = std::make_shared<const MeshPiece>(MeshPiece{{5, 3, 4}, {{8, 0}, {}}});
   run.settings.complete_state = [&run] { run.calls.push_back("all"); };
-  run.region.results_outputs = {results_of(2.0, {request(L::nodal, "velocity"), request(L::element, "von_mises")})};
+  run.region.results_outputs = {
+      results_of(2.0, {request(L::nodal, "velocity"), request(L::element, "von_mises")})};
   run.region.heartbeat_outputs = {steps_to("log"), steps_to("all.csv")};
   run.region.heartbeat_outputs[1].variables = {request(L::global, "dead_elements")};
   run.region.heartbeat_outputs[1].schedule = every_time(3.0);
@@ -139,8 +143,8 @@ TEST_CASE("a piece of results has its own values, and needs no whole state", "[c
   run.advance(plan, 3);
   run.calls.erase(run.calls.begin(), run.calls.begin() + 3);
   // A number of elements is counted over all of them.
-  CHECK(run.calls == Names{"all", "deck.e at 0", "'' at 0: 0", "'all.csv' at 0: 0", "deck.e at 2", "'' at 2: 2",
-                           "all", "deck.e at 3", "'' at 3: 3", "'all.csv' at 3: 0"});
+  CHECK(run.calls == Names{"all", "deck.e at 0", "'' at 0: 0", "'all.csv' at 0: 0", "deck.e at 2",
+                           "'' at 2: 2", "all", "deck.e at 3", "'' at 3: 3", "'all.csv' at 3: 0"});
   // Three nodes and two elements, seven numbers and a vector, three times.
   CHECK(run.n_values == 3 * (9 + 2 + 7 + 3));
 }

@@ -20,7 +20,8 @@ std::vector<double> values_of(const MeshPiece& piece, const OutputField& field, 
   if (field.location == FieldLocation::global) return {all.begin(), all.end()};
   const auto n = static_cast<std::size_t>(field.n_components);
   std::vector<double> values;
-  for (const std::uint32_t i : field.location == FieldLocation::node ? piece.nodes : piece.elements[field.block])
+  for (const std::uint32_t i :
+       field.location == FieldLocation::node ? piece.nodes : piece.elements[field.block])
     values.insert(values.end(), all.begin() + static_cast<std::ptrdiff_t>(i * n),
                   all.begin() + static_cast<std::ptrdiff_t>((i + 1) * n));
   return values;
@@ -28,7 +29,8 @@ std::vector<double> values_of(const MeshPiece& piece, const OutputField& field, 
 
 }  // namespace
 
-TEST_CASE("pieces that are written each by itself are the whole, as far as all have come", "[io][decompose]") {
+TEST_CASE("pieces that are written each by itself are the whole, as far as all have come",
+          "[io][decompose]") {
   const TemporaryDirectory directory;
   const std::string path = directory.file("r.e");
   SampleResults results(sample_mesh().build());
