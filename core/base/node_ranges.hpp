@@ -68,6 +68,22 @@ class NodeRanges {
     });
   }
 
+  /// These nodes but those for which a condition holds.
+  template <class Condition>
+  NodeRanges without(const Condition& condition) const {
+    std::vector<NodeRange> left;
+    const auto look = [&](const NodeRange& range) {
+      for (std::int64_t node = range.begin; node < range.end; ++node) {
+        if (condition(node)) continue;
+        if (left.empty() || left.back().end != node) left.push_back({node, node});
+        left.back().end = node + 1;
+      }
+    };
+    if (are_all_) look(all_);
+    for (const NodeRange& range : some_) look(range);
+    return NodeRanges(std::span<const NodeRange>(left));
+  }
+
   /// Sets values to zero.
   ///   values  [3 x n_nodes]
   void set_zero(Eigen::Matrix3Xd& values) const {

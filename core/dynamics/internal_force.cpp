@@ -67,11 +67,31 @@ InternalForce::InternalForce(const Model& model, State& state, RankShare* share)
       state_(state),
       share_(share),
       nodes_(share != nullptr ? share->followed() : NodeRanges(model.mesh->n_nodes())),
+      other_nodes_(std::span<const NodeRange>()),
       idle_step_(find_step_at_rest(model, true)) {
+  find_first_sums();
   first_chunk_.push_back(0);
   for (const ModelBlock& block : model.blocks)
     first_chunk_.push_back(first_chunk_.back() + block.chunks.size());
   chunks_.assign(first_chunk_.back(), batches::no_step());
+}
+
+/// Forces are set by the first block that has a node, where that can be told of whole blocks, and only else
+/// set to zero before.
+void InternalForce::find_first_sums() {
+  std::vector<std::uint8_t> is_summed(model_.mesh->n_nodes(), 0), is_set(is_summed);
+  for (const ModelBlock& block : model_.blocks) {
+    const std::vector<NodeIndex> of_block = block.is_rigid ? std::vector<NodeIndex>() : block.sums.nodes();
+    const bool sets =
+        std::ranges::none_of(of_block, [&](NodeIndex node) { return is_summed[node.value] != 0; });
+    sets_.push_back(sets ? 1 : 0);
+    for (const NodeIndex node : of_block) {
+      is_summed[node.value] = 1;
+      if (sets) is_set[node.value] = 1;
+    }
+  }
+  other_nodes_ =
+      nodes_.without([&](std::int64_t node) { return is_set[static_cast<std::size_t>(node)] != 0; });
 }
 
 std::span<const ChunkStep> InternalForce::steps_of(std::size_t block) const {
@@ -121,7 +141,7 @@ struct StableSteps {
 }  // namespace
 
 ForceReport InternalForce::set_forces(const Motion& motion, Eigen::Matrix3Xd& forces) {
-  nodes_.set_zero(forces);
+  other_nodes_.set_zero(forces);
   advance_chunks(motion);
   ForceReport report;
   StableSteps steps;
@@ -143,7 +163,8 @@ ForceReport InternalForce::set_forces(const Motion& motion, Eigen::Matrix3Xd& fo
       state_.blocks[index].hourglass_work += chunk.hourglass_work;
       report.viscous_work += chunk.viscous_work;
     }
-    block.sums.add(state_.blocks[index].forces, nodes_, forces);
+    const std::span<const NodeVector> parts = state_.blocks[index].forces;
+    sets_[index] != 0 ? block.sums.set(parts, nodes_, forces) : block.sums.add(parts, nodes_, forces);
   }
   report.stable_step = combined_step(steps.material, steps.stiffness, steps.damping);
   if (std::isinf(report.stable_step)) {

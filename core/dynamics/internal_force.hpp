@@ -31,6 +31,7 @@ class InternalForce final : public ForceTerm {
   void set_moments(const Motion& motion, Eigen::Matrix3Xd& moments) override;
 
  private:
+  void find_first_sums();
   void advance_chunks(const Motion& motion);
   std::span<const ChunkStep> steps_of(std::size_t block) const;
 
@@ -38,6 +39,8 @@ class InternalForce final : public ForceTerm {
   State& state_;
   RankShare* const share_;
   NodeRanges nodes_;                      ///< whose forces are summed
+  std::vector<std::uint8_t> sets_;        ///< [n_blocks] whether no block before has nodes of it
+  NodeRanges other_nodes_;                ///< those of nodes_ that no such block has
   std::vector<std::size_t> first_chunk_;  ///< [n_blocks + 1] of each block in chunks_
   std::vector<ChunkStep> chunks_;         ///< of all blocks, scratch
   /// Stable step at rest were the rigid elements elastic, or the dead ones alive: for when there are no

@@ -54,24 +54,37 @@ void NodeSums::add(std::span<const NodeVector> parts, Eigen::Matrix3Xd& forces) 
   add(parts, NodeRanges(forces.cols()), forces);
 }
 
-void NodeSums::add(std::span<const NodeVector> parts, const NodeRanges& nodes,
-                   Eigen::Matrix3Xd& forces) const {
+/// Calls take(node, sum of its parts).
+template <class Take>
+void NodeSums::visit(std::span<const NodeVector> parts, const NodeRanges& nodes, const Take& take) const {
   const auto part = [&, places = places_.data(),
                      n = places_.size()](std::uint32_t entry) -> const NodeVector& {
     constexpr std::size_t ahead = 32;  // parts that are fetched meanwhile, of other chunks from far away
     if (entry + ahead < n) __builtin_prefetch(&parts[places[entry + ahead]]);
     return parts[places[entry]];
   };
-  const auto add_at = [&](std::size_t k) {
+  const auto sum_at = [&](std::size_t k) {
     NodeVector sum = part(begin_[k]);
     for (std::uint32_t entry = begin_[k] + 1; entry < begin_[k + 1]; ++entry) sum += part(entry);
-    forces.col(node(k).value) += sum.head<3>();
+    take(node(k).value, sum);
   };
   if (follow_each_other()) {
-    nodes.visit_in(NodeRange{first_node_, first_node_ + static_cast<std::int64_t>(size())}, add_at);
+    nodes.visit_in(NodeRange{first_node_, first_node_ + static_cast<std::int64_t>(size())}, sum_at);
   } else {
-    nodes.visit_in(nodes_, add_at);
+    nodes.visit_in(nodes_, sum_at);
   }
+}
+
+void NodeSums::add(std::span<const NodeVector> parts, const NodeRanges& nodes,
+                   Eigen::Matrix3Xd& forces) const {
+  visit(parts, nodes, [&](std::uint32_t node, const NodeVector& sum) { forces.col(node) += sum.head<3>(); });
+}
+
+void NodeSums::set(std::span<const NodeVector> parts, const NodeRanges& nodes,
+                   Eigen::Matrix3Xd& forces) const {
+  // 0 + -0 is 0.
+  visit(parts, nodes,
+        [&](std::uint32_t node, const NodeVector& sum) { forces.col(node) = sum.head<3>().array() + 0.0; });
 }
 
 }  // namespace contactsim

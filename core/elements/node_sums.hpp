@@ -33,8 +33,12 @@ class NodeSums {
   void add(std::span<const NodeVector> parts, Eigen::Matrix3Xd& forces) const;
   /// The same of those among some nodes.
   void add(std::span<const NodeVector> parts, const NodeRanges& nodes, Eigen::Matrix3Xd& forces) const;
+  /// Sets the forces of those nodes, to the bits that adding to zeros gives.
+  void set(std::span<const NodeVector> parts, const NodeRanges& nodes, Eigen::Matrix3Xd& forces) const;
 
  private:
+  template <class Take>
+  void visit(std::span<const NodeVector> parts, const NodeRanges& nodes, const Take& take) const;
   bool follow_each_other() const { return nodes_.empty(); }
   std::size_t size() const { return begin_.size() - 1; }
   NodeIndex node(std::size_t k) const {

@@ -3,6 +3,8 @@
 
 #include <omp.h>
 
+#include <cmath>
+
 #include "support/catch.hpp"
 
 using namespace contactsim;
@@ -52,12 +54,26 @@ TEST_CASE("nodes that follow each other have sums as others have, among all node
     Eigen::Matrix3Xd forces = Eigen::Matrix3Xd::Zero(3, 7);
     sums.add(parts, forces);
     CHECK(forces == slow);
+    Eigen::Matrix3Xd set = Eigen::Matrix3Xd::Constant(3, 7, 9.0);
+    sums.set(parts, NodeRanges(7), set);
+    for (Eigen::Index node = 0; node < 7; ++node)
+      CHECK(set.col(node) ==
+            (slow(0, node) != 0.0 ? Eigen::Vector3d(slow.col(node)) : Eigen::Vector3d::Constant(9.0)));
     const NodeRange some[] = {{0, 2}, {4, 7}};
     forces.setZero();
     sums.add(parts, NodeRanges(std::span(some)), forces);
     slow.middleCols(2, 2).setZero();
     CHECK(forces == slow);
   }
+}
+
+TEST_CASE("a force that is set to nothing is no negative zero", "[core][elements]") {
+  const NodeSums sums(std::vector<std::uint32_t>{0}, 1);
+  const std::vector<NodeVector> parts{NodeVector::Constant(-0.0)};
+  Eigen::Matrix3Xd forces = Eigen::Matrix3Xd::Ones(3, 1);
+  sums.set(parts, NodeRanges(1), forces);
+  CHECK(forces.isZero(0.0));
+  CHECK_FALSE(std::signbit(forces(0, 0)));
 }
 
 TEST_CASE("no places, no nodes", "[core][elements]") {
