@@ -95,7 +95,6 @@ bool RunDeath::step(State& state) {
   const double begun = clock_seconds();
   if (deaths_.reads_all(state)) complete_state_();
   const bool has_any = let_die(state, {});
-  if (!dead_.empty()) complete_state_();
   follow(state);
   kept_.reset();
   seconds_ += clock_seconds() - begun;

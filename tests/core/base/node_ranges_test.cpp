@@ -48,6 +48,14 @@ TEST_CASE("the members of a list are those in the ranges", "[core][node_ranges]"
   CHECK(found == std::vector<int>{2, 1, 2, 2, 1});
 }
 
+TEST_CASE("nodes are left out of ranges by a condition", "[core][node_ranges]") {
+  const auto is_third = [](std::int64_t node) { return node % 3 == 0; };
+  CHECK(visits(NodeRanges(6).without(is_third), 6) == std::vector<int>{0, 1, 1, 0, 1, 1});
+  const std::vector<NodeRange> some{{0, 2}, {3, 5}};
+  CHECK(visits(NodeRanges(some).without(is_third), 6) == std::vector<int>{0, 1, 0, 0, 1, 0});
+  CHECK(NodeRanges(6).without([](std::int64_t) { return true; }).size() == 0);
+}
+
 TEST_CASE("zeros are set in the ranges alone", "[core][node_ranges]") {
   Eigen::Matrix3Xd values = Eigen::Matrix3Xd::Ones(3, 4);
   const std::vector<NodeRange> some{{1, 2}, {3, 4}};
