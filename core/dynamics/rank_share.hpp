@@ -28,7 +28,8 @@ class RankShare {
   RankShare& operator=(const RankShare&) = delete;
 
   Ranks& ranks() const { return ranks_; }
-  ChunkRange own_chunks(std::size_t block) const { return chunks_.of(ranks_.rank(), block); }
+  ChunkRange chunks_of(int rank, std::size_t block) const { return chunks_.of(rank, block); }
+  ChunkRange own_chunks(std::size_t block) const { return chunks_of(ranks_.rank(), block); }
   /// Where what they remember stands in ModelBlockState::values.
   ChunkRange own_values(std::size_t block) const;
   /// The rank that advances an element of the mesh, none of one that is not advanced.

@@ -47,4 +47,9 @@ double GlobalExpression::evaluate(const OutputContext& context) const {
   return expression_.evaluate(numbers);
 }
 
+bool GlobalExpression::reads_all() const {
+  return std::ranges::any_of(inputs_,
+                             [](const VariableSelection& input) { return input.variable->reads_all; });
+}
+
 }  // namespace contactsim

@@ -16,6 +16,8 @@ class GlobalExpression {
   GlobalExpression(const DeckExpression& expression, const OutputVariables& variables);
 
   double evaluate(const OutputContext& context) const;
+  /// Whether it reads globals that are found from all nodes or elements.
+  bool reads_all() const;
 
  private:
   std::vector<VariableSelection> inputs_;

@@ -144,11 +144,9 @@ void OutputPlan::open_files() {
 }
 
 std::optional<EarlyEnd> OutputPlan::check_termination(const State& state) {
-  const OutputContext context{model_, state};
+  const OutputContext context{model_, state, share_};
   const bool ends = !terminations_.is_empty(), are_needed = ends || settings_.always_computes;
-  if (terminations_.reads_all() || (are_needed && !user_outputs_.is_empty()) ||
-      user_outputs_.has_every_step())
-    settings_.complete_state();
+  if (terminations_.reads_all() || user_outputs_.read_all(are_needed)) settings_.complete_state();
   user_outputs_.compute(context, are_needed);
   return terminations_.find_end(context);
 }
@@ -183,7 +181,7 @@ bool OutputPlan::reads_whole_state() const {
   const auto of_heartbeat = [](const Heartbeat& heartbeat) {
     return heartbeat.is_due && heartbeat.plan.values.read_all();
   };
-  return !user_outputs_.is_empty() || std::ranges::any_of(results_, of_results) ||
+  return user_outputs_.read_all(true) || std::ranges::any_of(results_, of_results) ||
          std::ranges::any_of(heartbeats_, of_heartbeat);
 }
 
@@ -201,7 +199,7 @@ std::span<const double> OutputPlan::values_of(Results& results, std::size_t fiel
 
 /// Of a history, whose fields are single values.
 void OutputPlan::write_single_values(Results& results, const OutputContext& context) const {
-  const std::vector<double> all = evaluate_all(results.plan.fields, context, share_);
+  const std::vector<double> all = evaluate_all(results.plan.fields, context);
   std::vector<std::size_t> begins{0};
   for (const OutputField& field : results.defined)
     begins.push_back(begins.back() + static_cast<std::size_t>(field.n_components));
@@ -216,14 +214,14 @@ void OutputPlan::write(Results& results, const OutputContext& context) {
                       [&](std::size_t field) { return values_of(results, field, context); });
 }
 
-void OutputPlan::Heartbeat::write(const State& state, const OutputContext& context, const RankShare* share) {
-  append(state.time, evaluate_all(plan.values, context, share));
-  last_step = state.step;
+void OutputPlan::Heartbeat::write(const OutputContext& context) {
+  append(context.state.time, evaluate_all(plan.values, context));
+  last_step = context.state.step;
 }
 
 void OutputPlan::write(const State& state, bool is_last) {
   if (!std::exchange(is_open_, true)) open_files();
-  const OutputContext context{model_, state};
+  const OutputContext context{model_, state, share_};
   const bool is_any_due = find_due({state.step, state.time, is_last});
   if (is_any_due && reads_whole_state()) settings_.complete_state();
   user_outputs_.compute(context, is_any_due);
@@ -231,7 +229,7 @@ void OutputPlan::write(const State& state, bool is_last) {
     if (results.is_due) write(results, context);
   }
   for (Heartbeat& heartbeat : heartbeats_) {
-    if (heartbeat.is_due) heartbeat.write(state, context, share_);
+    if (heartbeat.is_due) heartbeat.write(context);
   }
 }
 
@@ -239,10 +237,10 @@ void OutputPlan::write_at_restart(const State& state) {
   for (Heartbeat& heartbeat : heartbeats_) {
     const auto monitored = heartbeat.plan.file.form.monitored;
     if (monitored != HeartbeatOutput::Monitored::restart || heartbeat.last_step == state.step) continue;
-    const OutputContext context{model_, state};
-    settings_.complete_state();
+    const OutputContext context{model_, state, share_};
+    if (user_outputs_.read_all(true) || heartbeat.plan.values.read_all()) settings_.complete_state();
     user_outputs_.compute(context, true);
-    heartbeat.write(state, context, share_);
+    heartbeat.write(context);
   }
 }
 

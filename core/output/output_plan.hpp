@@ -97,7 +97,7 @@ class OutputPlan {
     bool is_due = false;
     std::optional<std::int64_t> last_step;  ///< that was written
 
-    void write(const State& state, const OutputContext& context, const RankShare* share);
+    void write(const OutputContext& context);
   };
 
   /// The mesh of results: with the sets and the rigid part that a run adds.

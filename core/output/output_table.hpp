@@ -12,10 +12,14 @@
 
 namespace contactsim {
 
+class RankShare;
+
 /// A run between two steps, as output sees it.
 struct OutputContext {
   const Model& model;
   const State& state;
+  /// Of several ranks, which know their own nodes and elements of the state; null where it is whole.
+  const RankShare* share = nullptr;
 };
 
 /// Which entities' values are asked for.

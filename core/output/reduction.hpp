@@ -6,12 +6,13 @@
 #include <vector>
 
 #include "core/definition/output_user.hpp"
-#include "core/output/variable_selection.hpp"
+#include "core/output/shared_values.hpp"
 
 namespace contactsim {
 
 /// Goes through the values of many entities in order, some at a time: visit(range, values) with values
-/// [range.count x n_components]. Ranges in blocks that lack the variable are left out.
+/// [range.count x n_components]. Ranges in blocks that lack the variable are left out. On several ranks all
+/// call it alike.
 template <class Visit>
 void visit_values(const VariableSelection& selection, std::span<const EntityRange> ranges,
                   const OutputContext& context, Visit visit) {
@@ -24,7 +25,11 @@ void visit_values(const VariableSelection& selection, std::span<const EntityRang
     for (std::size_t begin = 0; begin < range.count; begin += max_count) {
       const EntityRange part{range.block, range.first + begin, std::min(max_count, range.count - begin), {}};
       values.resize(part.count * selection.n_components());
-      fill(selection, context, part, values);
+      if (context.share != nullptr) {
+        fill_from_ranks(selection, context, part, values);
+      } else {
+        fill(selection, context, part, values);
+      }
       visit(part, std::span<const double>(values));
     }
   }

@@ -7,6 +7,7 @@
 #include <optional>
 #include <set>
 
+#include "core/dynamics/rank_share.hpp"
 #include "core/output/output_groups.hpp"
 
 namespace contactsim {
@@ -220,8 +221,8 @@ std::vector<std::string> value_dimensions(const RequestedFields& fields) {
   return dimensions;
 }
 
-std::vector<double> evaluate_all(RequestedFields& fields, const OutputContext& context,
-                                 const RankShare* share) {
+std::vector<double> evaluate_all(RequestedFields& fields, const OutputContext& context) {
+  const RankShare* share = context.share;
   std::vector<double> all;
   std::vector<int> ranks;  // that know them
   for (std::size_t i = 0; i < fields.size(); ++i) {

@@ -4,7 +4,6 @@
 #include <span>
 #include <string>
 
-#include "core/dynamics/rank_share.hpp"
 #include "core/output/requested_fields.hpp"
 
 namespace contactsim {
@@ -24,9 +23,7 @@ std::vector<std::string> value_names(const RequestedFields& fields);
 /// Their dimensions in the same order, "[?]" of what the deck computes in a way that does not tell.
 std::vector<std::string> value_dimensions(const RequestedFields& fields);
 
-/// All values at one time, field by field.
-///   share  on several ranks, which know the values of their own nodes and elements alone; else null
-std::vector<double> evaluate_all(RequestedFields& fields, const OutputContext& context,
-                                 const RankShare* share);
+/// All values at one time, field by field. On several ranks all call it alike.
+std::vector<double> evaluate_all(RequestedFields& fields, const OutputContext& context);
 
 }  // namespace contactsim

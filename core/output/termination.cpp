@@ -51,10 +51,7 @@ Terminations::Terminations(std::span<const SolutionTermination> definitions, con
 }
 
 bool Terminations::reads_all() const {
-  const auto reads = [](const Criterion& criterion) {
-    const OutputVariable& variable = *criterion.selection.variable;
-    return variable.reads_all || variable.location != FieldLocation::global;
-  };
+  const auto reads = [](const Criterion& criterion) { return criterion.selection.variable->reads_all; };
   return std::ranges::any_of(blocks_,
                              [&](const Block& block) { return std::ranges::any_of(block.criteria, reads); });
 }

@@ -30,7 +30,7 @@ class Terminations {
   std::optional<EarlyEnd> find_end(const OutputContext& context) const;
 
   bool is_empty() const { return blocks_.empty(); }
-  /// Whether it reads values of nodes or elements, or globals that are found from all of them.
+  /// Whether it reads globals that are found from all nodes or elements.
   bool reads_all() const;
 
  private:

@@ -90,8 +90,8 @@ class UserOutputMaker {
     return find_element_ranges(output_->set, label_, scope_, variables_.model());
   }
 
-  void compute(std::function<void(const OutputContext&)> run) {
-    outputs_.computations_.push_back({output_->is_every_step, std::move(run)});
+  void compute(bool reads_all, std::function<void(const OutputContext&)> run) {
+    outputs_.computations_.push_back({output_->is_every_step, reads_all, std::move(run)});
   }
 
   // Storage of a variable; one that the deck has made before goes on. Null when that has another size.
@@ -158,8 +158,8 @@ class UserOutputMaker {
     auto ranges = find_ranges(selection->variable->location);
     const Storage values = store_like(reduced.name, FieldLocation::global, *selection);
     if (values == nullptr) return;
-    compute([selection = *selection, ranges = std::move(ranges), values,
-             reduction = reduced.reduction](const OutputContext& context) {
+    compute(false, [selection = *selection, ranges = std::move(ranges), values,
+                    reduction = reduced.reduction](const OutputContext& context) {
       const std::vector<double> results = reduce(reduction, selection, ranges, context);
       std::copy(results.begin(), results.end(), values->at(EntityRange{}).begin());
     });
@@ -174,9 +174,10 @@ class UserOutputMaker {
     const Storage values = store(computed.name, location, FieldShape::scalar, {0.0});
     auto made = make_variable_function(std::move(*function), location, variables_, scope_.diagnostics);
     if (!made || values == nullptr) return;
-    compute([made = std::move(*made), ranges = std::move(ranges), values](const OutputContext& context) {
-      for (const EntityRange& range : ranges) made.evaluate(context, range, values->at(range));
-    });
+    compute(true,
+            [made = std::move(*made), ranges = std::move(ranges), values](const OutputContext& context) {
+              for (const EntityRange& range : ranges) made.evaluate(context, range, values->at(range));
+            });
   }
 
   void add(const ComputedExpression& computed) {
@@ -184,7 +185,7 @@ class UserOutputMaker {
     if (values == nullptr) return;
     try {
       const auto expression = std::make_shared<GlobalExpression>(computed.expression, variables_);
-      compute([expression, values](const OutputContext& context) {
+      compute(expression->reads_all(), [expression, values](const OutputContext& context) {
         values->at(EntityRange{})[0] = expression->evaluate(context);
       });
     } catch (const ExpressionError& error) {
@@ -202,7 +203,7 @@ class UserOutputMaker {
     const Storage values = store_like(average.name, FieldLocation::element, *selection);
     if (values == nullptr) return;
     // The points of an element share its volume equally: their average is the mean that a variable gives.
-    compute([selection = *selection, ranges = std::move(ranges), values](const OutputContext& context) {
+    compute(true, [selection = *selection, ranges = std::move(ranges), values](const OutputContext& context) {
       visit_values(selection, ranges, context, [&](const EntityRange& part, std::span<const double> found) {
         std::copy(found.begin(), found.end(), values->at(part).begin());
       });
@@ -216,7 +217,7 @@ class UserOutputMaker {
     auto ranges = find_ranges(FieldLocation::element);
     const Storage values = store_like(extrapolation.name, FieldLocation::node, *selection);
     if (values == nullptr) return;
-    compute([selection = *selection, ranges = std::move(ranges), values](const OutputContext& context) {
+    compute(true, [selection = *selection, ranges = std::move(ranges), values](const OutputContext& context) {
       extrapolate(selection, ranges, context, values->at({0, 0, context.model.mesh->n_nodes(), {}}));
     });
   }
@@ -232,8 +233,10 @@ UserOutputs::UserOutputs(const ConditionScope& scope, OutputVariables& variables
   UserOutputMaker(scope, variables, *this).make();
 }
 
-bool UserOutputs::has_every_step() const {
-  return std::ranges::any_of(computations_, &Computation::is_every_step);
+bool UserOutputs::read_all(bool are_needed) const {
+  return std::ranges::any_of(computations_, [&](const Computation& computation) {
+    return computation.reads_all && (are_needed || computation.is_every_step);
+  });
 }
 
 void UserOutputs::archive(StateArchive& saved) {

@@ -27,9 +27,9 @@ class UserOutputs {
   /// needed the others. Each is computed once a step, however often it is asked for.
   void compute(const OutputContext& context, bool are_needed);
 
-  /// Whether some are computed at every step.
-  bool has_every_step() const;
-  bool is_empty() const { return computations_.empty(); }
+  /// Whether what compute() would do reads more of a state than several ranks know of their own: values of
+  /// all entities, and globals that are found from all nodes or elements. Reductions do not.
+  bool read_all(bool are_needed) const;
 
   /// Saves or restores the values, whether the deck says USE WITH RESTART or not.
   void archive(StateArchive& saved);
@@ -38,6 +38,7 @@ class UserOutputs {
   friend class UserOutputMaker;
   struct Computation {
     bool is_every_step = false;
+    bool reads_all = false;
     std::function<void(const OutputContext&)> run;
   };
   std::vector<Computation> computations_;

@@ -54,7 +54,7 @@ TEST_CASE("single values of nodes, elements and the whole", "[core][output]") {
   CHECK(found.messages.empty());
   CHECK(value_names(found.fields) ==
         Names{"tip", "time", "stress_yy", "centroid_x", "centroid_y", "centroid_z"});
-  const std::vector<double> values = evaluate_all(found.fields, run.context(), nullptr);
+  const std::vector<double> values = evaluate_all(found.fields, run.context());
   const double x = run.mesh.coordinates()(0, run.mesh.find_node(1010)->value);
   CHECK(values == std::vector<double>{x, 0.5, 4.0, 3.0, 1.0, 1.0});
   for (const OutputField& field : found.fields.fields()) CHECK(field.location == FieldLocation::global);
@@ -67,7 +67,7 @@ TEST_CASE("the entity nearest to a point is found on the undeformed mesh", "[cor
                             nearest(request(L::element, "element_mass"), 0.4, 0.5, 1.2),
                             nearest(request(L::element, "eqps", "", "e"), 9, 0, 0)});
   CHECK(found.messages.empty());
-  CHECK(evaluate_all(found.fields, run.context(), nullptr) == std::vector<double>{9, 0, 0, 3, 0});
+  CHECK(evaluate_all(found.fields, run.context()) == std::vector<double>{9, 0, 0, 3, 0});
 }
 
 TEST_CASE("equal names are distinguished by the entities", "[core][output]") {
