@@ -62,7 +62,8 @@ Eigen::Matrix3Xd at_nodes(const Eigen::Matrix3Xd& values, std::span<const NodeIn
 }  // namespace
 
 TEST_CASE("forces of blocks are those of their elements one by one", "[core][elements]") {
-  // 12 elements are a batch and a half; the second block shares nodes with the first, one node has no element.
+  // 12 elements are a batch and a half; the second block shares nodes with the first, one node has no
+  // element.
   MeshBuilder builder;
   builder.add_hexes({.cells = {3, 2, 2}})
       .add_hexes({.id = 2, .cells = {1, 2, 2}, .origin = {1.0, 0.0, 0.0}})
