@@ -133,13 +133,15 @@ std::vector<T> JoinedPieces::read_part(std::size_t piece, const NetcdfVariable& 
   read_values(file, *part, rows, std::span<T>(values));
   const std::string_view numbered = dimension_of_numbers(variable.name);
   if (numbered.empty()) return values;
-  const std::vector<std::uint32_t>& in_whole = division_.find(numbered)->second.positions[piece];
-  for (std::size_t i = 0; i < n; ++i) {
-    const auto number = static_cast<std::int64_t>(values[i]);
-    if (number < 1 || static_cast<std::uint64_t>(number) > in_whole.size())
-      file.fail(fmt::format("variable {} holds {}, which is not in 1 to {}", variable.name, number,
-                            in_whole.size()));
-    values[i] = static_cast<T>(in_whole[static_cast<std::size_t>(number) - 1] + 1);
+  if constexpr (!std::is_same_v<T, char>) {
+    const std::vector<std::uint32_t>& in_whole = division_.find(numbered)->second.positions[piece];
+    for (T& value : values) {
+      const auto number = static_cast<std::int64_t>(value);
+      if (number < 1 || static_cast<std::uint64_t>(number) > in_whole.size())
+        file.fail(fmt::format("variable {} holds {}, which is not in 1 to {}", variable.name, number,
+                              in_whole.size()));
+      value = static_cast<T>(in_whole[static_cast<std::size_t>(number) - 1] + std::uint64_t{1});
+    }
   }
   return values;
 }
