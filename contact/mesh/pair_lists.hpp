@@ -2,8 +2,9 @@
 #pragma once
 
 #include <algorithm>
+#include <cstddef>
 #include <cstdint>
-#include <ranges>
+#include <iterator>
 #include <span>
 #include <string>
 #include <vector>
@@ -31,18 +32,47 @@ struct PairTable {
 
 /// Numbers seen as positions.
 template <class AnIndex>
-struct AsIndex {
-  constexpr AnIndex operator()(std::uint32_t number) const { return {number}; }
+class IndexView {
+ public:
+  class Iterator {
+   public:
+    using value_type = AnIndex;
+    using difference_type = std::ptrdiff_t;
+    using iterator_concept = std::forward_iterator_tag;
+    using iterator_category = std::input_iterator_tag;
+    constexpr Iterator() = default;
+    constexpr explicit Iterator(const std::uint32_t* number) : number_(number) {}
+    constexpr AnIndex operator*() const { return {*number_}; }
+    constexpr Iterator& operator++() {
+      ++number_;
+      return *this;
+    }
+    constexpr Iterator operator++(int) { return Iterator(number_++); }
+    constexpr bool operator==(const Iterator&) const = default;
+
+   private:
+    const std::uint32_t* number_ = nullptr;
+  };
+
+  constexpr IndexView() = default;
+  constexpr explicit IndexView(std::span<const std::uint32_t> numbers) : numbers_(numbers) {}
+  constexpr Iterator begin() const { return Iterator(numbers_.data()); }
+  constexpr Iterator end() const { return Iterator(numbers_.data() + numbers_.size()); }
+  constexpr std::size_t size() const { return numbers_.size(); }
+  constexpr bool empty() const { return numbers_.empty(); }
+  constexpr AnIndex front() const { return {numbers_.front()}; }
+  constexpr AnIndex operator[](std::size_t i) const { return {numbers_[i]}; }
+
+ private:
+  std::span<const std::uint32_t> numbers_;
 };
-template <class AnIndex>
-using IndexView = std::ranges::transform_view<std::span<const std::uint32_t>, AsIndex<AnIndex>>;
 
 /// Pairs of positions row by row.
 template <class Row, class Partner>
 struct PairLists : PairTable {
   IndexRange<Row> rows() const { return {{}, {static_cast<std::uint32_t>(n_rows())}}; }
   /// The partners of one row, ascending.
-  IndexView<Partner> of(Row row) const { return {PairTable::of(number_of(row)), {}}; }
+  IndexView<Partner> of(Row row) const { return IndexView<Partner>(PairTable::of(number_of(row))); }
   /// Pairs are counted through; those of a row, and the partner of one.
   std::size_t first_pair(Row row) const { return begin[number_of(row)]; }
   std::size_t end_pair(Row row) const { return begin[number_of(row) + 1]; }

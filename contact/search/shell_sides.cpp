@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "contact/surfaces/surface_pairs.hpp"
+
 namespace contactsim {
 
 namespace {

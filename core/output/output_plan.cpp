@@ -20,16 +20,19 @@ namespace {
 /// less then.
 constexpr std::int64_t max_steps_looked_at = 10'000'000;
 
-/// An output clashes with those before it, once.
-void check_clashes(const std::vector<std::string>& paths, const DeckName& region, Diagnostics& diagnostics) {
+/// An output clashes with those before it, once. Returns whether none does.
+bool check_clashes(const std::vector<std::string>& paths, const DeckName& region, Diagnostics& diagnostics) {
+  bool is_clean = true;
   for (auto path = paths.begin(); path != paths.end(); ++path) {
     const bool clashes = std::any_of(paths.begin(), path, [&](const std::string& other) {
       return would_overwrite(*path, other) || would_overwrite(other, *path);
     });
     if (!clashes) continue;
+    is_clean = false;
     diagnostics.add_error(region.location, fmt::format("two outputs would write {}", *path),
                           "DATABASE NAME or STREAM NAME gives each its own file");
   }
+  return is_clean;
 }
 
 }  // namespace
@@ -49,7 +52,9 @@ OutputPlan::OutputPlan(const ConditionScope& scope, const Model& model, OutputSe
     results_.push_back({plan_history(scope, output, variables_), {}, {}});
   for (const HeartbeatOutput& output : scope.region.heartbeat_outputs)
     heartbeats_.push_back({plan_heartbeat(scope, output, variables_), {}, false, {}});
-  check_clashes(paths(), scope.region.name, scope.diagnostics);
+  // Of pieces those of one name alone are told.
+  if (check_clashes(names(), scope.region.name, scope.diagnostics))
+    check_clashes(paths(), scope.region.name, scope.diagnostics);
 }
 
 std::vector<std::string> OutputPlan::paths() const {

@@ -219,6 +219,23 @@ TEST_CASE("what outputs cannot do is said before anything is written", "[core][o
   CHECK(run.calls.empty());
 }
 
+TEST_CASE("outputs in pieces clash by their names, and by what they write", "[core][output]") {
+  const auto messages = [](const std::string& heartbeat, std::vector<ResultsOutput> results) {
+    PlannedRun run;
+    run.settings.writers.name_results = [](const ResultsFile& file) {
+      return Names{file.path + ".2.0", file.path + ".2.1"};
+    };
+    run.region.results_outputs = std::move(results);
+    run.region.heartbeat_outputs = {steps_to(heartbeat)};
+    run.make_plan();
+    return run.messages();
+  };
+  CHECK(messages("a.csv", {results_of(1.0)}).empty());
+  CHECK(messages("a.csv", {results_of(1.0), results_of(2.0)}) ==
+        Names{"error: two outputs would write deck.e"});
+  CHECK(messages("deck.e.2.1", {results_of(1.0)}) == Names{"error: two outputs would write deck.e.2.1"});
+}
+
 TEST_CASE("outputs of one file are found however their paths are spelled", "[core][output]") {
   const auto clashes = [](const std::string& one, const std::string& other) {
     PlannedRun run;
