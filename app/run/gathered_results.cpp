@@ -20,8 +20,7 @@ class FieldGatherer {
   FieldGatherer(const ResultsPieces& pieces, const Mesh& mesh, std::span<const OutputField> fields)
       : ranks_(pieces.ranks), fields_(fields.begin(), fields.end()), n_nodes_(mesh.n_nodes()) {
     for (const ElementBlock& block : mesh.blocks()) n_elements_.push_back(block.n_elements);
-    std::vector<std::uint32_t> piece_of = pieces.piece_of;
-    piece_of.resize(mesh.n_elements(), 0);
+    const std::vector<std::uint32_t> piece_of = pieces.pieces_of(mesh);
     for (int rank = 0; rank < ranks_.count(); ++rank) {
       const bool is_needed = ranks_.is_root() || rank == ranks_.rank();
       pieces_.push_back(std::make_shared<const MeshPiece>(

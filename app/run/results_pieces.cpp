@@ -51,8 +51,7 @@ OutputWriters::OpenResults open_results_piece(const ResultsPieces& pieces, const
                                               std::span<const OutputField> fields) {
   Ranks& ranks = pieces.ranks;
   const PieceFiles files = name_results_pieces(pieces, file);
-  std::vector<std::uint32_t> piece_of = pieces.piece_of;
-  piece_of.resize(mesh.n_elements(), 0);
+  const std::vector<std::uint32_t> piece_of = pieces.pieces_of(mesh);
   on_root(ranks, [&] { make_pieces(files, file, mesh, text, fields, piece_of); });
   const auto rank = static_cast<std::uint32_t>(ranks.rank());
   const auto piece = std::make_shared<const MeshPiece>(find_piece(mesh, piece_of, rank));

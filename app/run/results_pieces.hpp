@@ -2,7 +2,7 @@
 #pragma once
 
 #include <cstdint>
-#include <functional>
+#include <memory>
 #include <span>
 #include <utility>
 #include <vector>
@@ -17,10 +17,18 @@ namespace contactsim {
 /// How the ranks of a run write results in pieces, each its own.
 struct ResultsPieces {
   Ranks& ranks;
-  std::vector<std::uint32_t> piece_of;  ///< [n_elements] the rank that has each element of the run's mesh
+  /// [n_elements] the rank that has each element of the run's mesh
+  std::shared_ptr<const std::vector<std::uint32_t>> piece_of;
 
   ResultsPieces(Ranks& of, std::vector<std::uint32_t> ranks_of_elements)
-      : ranks(of), piece_of(std::move(ranks_of_elements)) {}
+      : ranks(of),
+        piece_of(std::make_shared<const std::vector<std::uint32_t>>(std::move(ranks_of_elements))) {}
+  /// The same of a mesh with more elements, which are of the first piece.
+  std::vector<std::uint32_t> pieces_of(const Mesh& mesh) const {
+    std::vector<std::uint32_t> pieces = *piece_of;
+    pieces.resize(mesh.n_elements(), 0);
+    return pieces;
+  }
 };
 
 /// The names of the pieces of a results file, <path>.P.r.
