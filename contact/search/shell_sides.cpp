@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "contact/surfaces/surface_pairs.hpp"
+#include "contact/mesh/contact_model.hpp"
 
 namespace contactsim {
 
