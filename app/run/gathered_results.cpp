@@ -58,11 +58,6 @@ class FieldGatherer {
   }
 
  private:
-  std::span<const std::uint32_t> entities(const OutputField& field, std::size_t rank) const {
-    const MeshPiece& piece = *pieces_[rank];
-    return field.location == FieldLocation::node ? piece.nodes : piece.elements[field.block];
-  }
-
   void gather(const OutputField& field, std::span<const double> own) {
     if (field.location == FieldLocation::global) {
       whole_.assign(own.begin(), own.end());
@@ -74,7 +69,7 @@ class FieldGatherer {
     std::vector<std::span<std::byte>> in(n_ranks);
     if (ranks_.is_root()) {
       for (std::size_t rank = 1; rank < n_ranks; ++rank) {
-        received_[rank].resize(entities(field, rank).size() * n_components);
+        received_[rank].resize(pieces_[rank]->entities(field).size() * n_components);
         in[rank] = std::as_writable_bytes(std::span(received_[rank]));
       }
     } else {
@@ -86,7 +81,7 @@ class FieldGatherer {
                   (field.location == FieldLocation::node ? n_nodes_ : n_elements_[field.block]));
     for (std::size_t rank = 0; rank < n_ranks; ++rank) {
       const double* next = rank == 0 ? own.data() : received_[rank].data();
-      for (const std::uint32_t entity : entities(field, rank)) {
+      for (const std::uint32_t entity : pieces_[rank]->entities(field)) {
         std::copy_n(next, n_components, &whole_[entity * n_components]);
         next += n_components;
       }

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/mesh/mesh.hpp"
+#include "core/mesh/output_field.hpp"
 
 namespace contactsim {
 
@@ -13,6 +14,11 @@ namespace contactsim {
 struct MeshPiece {
   std::vector<std::uint32_t> nodes;                  ///< of the mesh
   std::vector<std::vector<std::uint32_t>> elements;  ///< [n_blocks] positions in the block
+
+  /// Whose values a field of nodes, or of the elements of a block, has of it.
+  std::span<const std::uint32_t> entities(const OutputField& field) const {
+    return field.location == FieldLocation::node ? nodes : elements[field.block];
+  }
 };
 
 /// Finds a piece: its elements and their nodes. Nodes without elements are of the first piece.

@@ -57,23 +57,22 @@ OutputPlan::OutputPlan(const ConditionScope& scope, const Model& model, OutputSe
     check_clashes(paths(), scope.region.name, scope.diagnostics);
 }
 
-std::vector<std::string> OutputPlan::paths() const {
-  std::vector<std::string> paths;
+/// All files, those of results by a function.
+template <class NamesOf>
+std::vector<std::string> OutputPlan::list_files(const NamesOf& names_of) const {
+  std::vector<std::string> files;
   for (const Results& results : results_)
-    std::ranges::move(settings_.writers.name_results(results.plan.file), std::back_inserter(paths));
+    std::ranges::move(names_of(results.plan.file), std::back_inserter(files));
   for (const Heartbeat& heartbeat : heartbeats_) {
-    if (!heartbeat.plan.file.path.empty()) paths.push_back(heartbeat.plan.file.path);
+    if (!heartbeat.plan.file.path.empty()) files.push_back(heartbeat.plan.file.path);
   }
-  return paths;
+  return files;
 }
 
+std::vector<std::string> OutputPlan::paths() const { return list_files(settings_.writers.name_results); }
+
 std::vector<std::string> OutputPlan::names() const {
-  std::vector<std::string> names;
-  for (const Results& results : results_) names.push_back(results.plan.file.path);
-  for (const Heartbeat& heartbeat : heartbeats_) {
-    if (!heartbeat.plan.file.path.empty()) names.push_back(heartbeat.plan.file.path);
-  }
-  return names;
+  return list_files([](const ResultsFile& file) { return std::vector{file.path}; });
 }
 
 void OutputPlan::add_suffix(const std::string& suffix) {

@@ -100,6 +100,8 @@ class OutputPlan {
     void write(const OutputContext& context);
   };
 
+  template <class NamesOf>
+  std::vector<std::string> list_files(const NamesOf& names_of) const;
   /// The mesh of results: with the sets and the rigid part that a run adds.
   Mesh results_mesh() const;
   void open_files();

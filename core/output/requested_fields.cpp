@@ -214,9 +214,8 @@ std::span<const double> RequestedFields::evaluate(std::size_t field, const Outpu
                                                   const MeshPiece& piece) {
   const auto& [selection, range, description] = fields_[field];
   if (description.location == FieldLocation::global) return evaluate(field, context);
-  const bool is_nodal = description.location == FieldLocation::node;
-  std::span<const std::uint32_t> entities = is_nodal ? piece.nodes : piece.elements[description.block];
-  if (is_nodal) {
+  std::span<const std::uint32_t> entities = piece.entities(description);
+  if (description.location == FieldLocation::node) {
     // Nodes that results add to the mesh are the last of files.
     const auto end = std::ranges::partition_point(
         entities, [n = context.model.mesh->n_nodes()](std::uint32_t node) { return node < n; });

@@ -33,10 +33,8 @@ ResultsVariables::ResultsVariables(const Mesh& mesh, std::span<const OutputField
 
 void ResultsVariables::take_piece(const MeshPiece& piece) {
   for (DefinedField& defined : fields_) {
-    const OutputField& field = defined.field;
-    if (field.location == FieldLocation::global) continue;
-    const bool is_nodal = field.location == FieldLocation::node;
-    defined.n_entities = (is_nodal ? piece.nodes : piece.elements[field.block]).size();
+    if (defined.field.location == FieldLocation::global) continue;
+    defined.n_entities = piece.entities(defined.field).size();
     // Pieces have no variables of blocks that they have nothing of.
     if (defined.n_entities == 0) defined.variables.clear();
   }
