@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "core/base/memory_pages.hpp"
 #include "core/base/optional_index.hpp"
 #include "core/elements/element_table.hpp"
 
@@ -183,8 +184,8 @@ std::vector<std::uint32_t> find_places(const ModelBlock& block, bool is_subcycle
 
 ModelBlockState make_state(const ModelBlock& block) {
   ModelBlockState state;
-  state.values.assign(block.n_batches() * block.layout.size(), Lanes::Zero());
-  state.forces.assign(block.chunk_nodes.size(), NodeVector::Zero());
+  assign_in_huge_pages<Lanes>(block.n_batches() * block.layout.size(), Lanes::Zero(), state.values);
+  assign_in_huge_pages<NodeVector>(block.chunk_nodes.size(), NodeVector::Zero(), state.forces);
   if (block.element->has_rotations) state.moments = state.forces;
   for (std::size_t batch = 0; batch < block.n_batches(); ++batch) {
     for (std::size_t point = 0; point < block.layout.n_points; ++point) {

@@ -2,6 +2,9 @@
 #include "core/base/memory_pages.hpp"
 
 #include <algorithm>
+#include <cstdint>
+#include <cstdio>
+#include <filesystem>
 #include <fstream>
 #include <string>
 #include <vector>
@@ -24,7 +27,32 @@ double own_memory() {
   return 0.0;
 }
 
+/// What Linux says of the memory at an address, "" where it says nothing.
+std::string flags_of_memory(const void* address) {
+  const auto wanted = reinterpret_cast<std::uintptr_t>(address);
+  std::ifstream maps("/proc/self/smaps");
+  bool is_there = false;
+  for (std::string line; std::getline(maps, line);) {
+    std::uintptr_t begin = 0, end = 0;
+    if (std::sscanf(line.c_str(), "%lx-%lx ", &begin, &end) == 2) is_there = begin <= wanted && wanted < end;
+    if (is_there && line.starts_with("VmFlags:")) return line + " ";
+  }
+  return "";
+}
+
 }  // namespace
+
+TEST_CASE("an array is asked for in huge pages", "[core][memory_pages]") {
+  std::vector<double> values{1.0};
+  assign_in_huge_pages(4'000'000, 2.0, values);
+  CHECK(std::count(values.begin(), values.end(), 2.0) == 4'000'000);
+  std::vector<double> none{1.0};
+  assign_in_huge_pages(0, 2.0, none);
+  CHECK(none.empty());
+  const bool has_huge_pages = std::filesystem::exists("/sys/kernel/mm/transparent_hugepage");
+  const std::string flags = flags_of_memory(&values[2'000'000]);
+  if (has_huge_pages && !flags.empty()) CHECK(flags.find(" hg ") != std::string::npos);
+}
 
 TEST_CASE("numbers are zero wherever they begin and end, and those beside them stay",
           "[core][memory_pages]") {
