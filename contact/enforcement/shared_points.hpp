@@ -34,13 +34,15 @@ class SharedPoints {
 
  private:
   std::size_t rank() const { return static_cast<std::size_t>(ranks_.rank()); }
+  void move_own(std::size_t begin);
 
   Ranks& ranks_;
   bool are_shared_ = false;
   std::vector<std::uint32_t> n_found_;    // [n_chunks] in the last detection
   std::vector<std::size_t> begins_;       // [n_ranks + 1] chunks
   std::vector<std::size_t> first_point_;  // [n_chunks + 1] in points_
-  std::vector<ContactPoint> own_, points_;
+  std::vector<ContactPoint> points_;
+  std::size_t own_begin_ = 0, own_end_ = 0;  // in points_, where those of this rank are likely to be
 };
 
 }  // namespace contactsim

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "contact/enforcement/shared_points.hpp"
 
+#include <array>
 #include <mutex>
 
 #include "support/catch.hpp"
@@ -38,23 +39,27 @@ TEST_CASE("ranks share contact points where there are enough", "[contact][shared
 TEST_CASE("shares follow what was found last, and all ranks have all points in order",
           "[contact][shared_points]") {
   constexpr std::size_t n_chunks = 40;
-  const auto n_found = [](std::size_t chunk) { return chunk < 4 ? std::size_t{90} : chunk % 3; };
+  // Then fewer before the points of a rank, and more again.
+  const std::array<std::size_t, 5> of_first{90, 90, 80, 95, 95};
+  const auto n_found = [&](std::size_t chunk, std::size_t step) {
+    return chunk < 4 ? of_first[step] : chunk % 3;
+  };
   std::mutex checking;
   test::ThreadRanks(3).run([&](Ranks& ranks) {
     SharedPoints points(ranks);
     std::size_t n_own = 0;
-    for (int step = 0; step < 2; ++step) {
+    for (std::size_t step = 0; step < of_first.size(); ++step) {
       const bool are_shared = points.begin(n_chunks);
       n_own = 0;
       for (std::size_t chunk = points.first_own(); chunk < points.end_own(); ++chunk) {
-        points.add(chunk, points_of(chunk, n_found(chunk)));
-        n_own += n_found(chunk);
+        points.add(chunk, points_of(chunk, n_found(chunk, step)));
+        n_own += n_found(chunk, step);
       }
       points.gather();
       const std::lock_guard lock(checking);
       REQUIRE(are_shared);
       for (std::size_t chunk = 0; chunk < n_chunks; ++chunk) {
-        const auto expected = points_of(chunk, n_found(chunk));
+        const auto expected = points_of(chunk, n_found(chunk, step));
         const auto found = points.of(chunk);
         REQUIRE(found.size() == expected.size());
         for (std::size_t i = 0; i < found.size(); ++i) {
