@@ -10,6 +10,7 @@
 #include "core/mesh/mesh_parts.hpp"
 #include "support/catch.hpp"
 #include "support/mesh_builder.hpp"
+#include "support/slow_skin.hpp"
 
 using namespace contactsim;
 using namespace contactsim::test;
@@ -75,6 +76,26 @@ std::size_t n_nodes_of(const ElementBlock& of, std::uint32_t first, std::uint32_
   for (std::uint32_t i = first; i < first + n; ++i)
     nodes.insert(of.element_nodes(i).begin(), of.element_nodes(i).end());
   return nodes.size();
+}
+
+/// The nodes of faces that an odd number of solids have, and all of elements that are no solids.
+std::set<NodeIndex> slow_surface_nodes(const Mesh& mesh) {
+  const auto is_solid = [&](ElementIndex element) {
+    return topology(mesh.blocks()[mesh.block_of(element)].shape).family == Family::solid;
+  };
+  std::set<NodeIndex> nodes;
+  for (std::uint32_t i = 0; i < mesh.n_elements(); ++i) {
+    if (!is_solid({i})) nodes.insert(mesh.element_nodes({i}).begin(), mesh.element_nodes({i}).end());
+  }
+  const std::vector<std::uint8_t> present(mesh.n_elements(), 1);
+  for (const auto& [corners, sides] : group_faces(mesh, present)) {
+    std::vector<ElementSide> of_solids;
+    std::ranges::copy_if(sides, std::back_inserter(of_solids),
+                         [&](ElementSide side) { return is_solid(side.element()); });
+    if (of_solids.size() % 2 == 0) continue;
+    for (const auto& facet : mesh.side_facets(of_solids.front())) nodes.insert(facet.begin(), facet.end());
+  }
+  return nodes;
 }
 
 }  // namespace
@@ -190,14 +211,47 @@ TEST_CASE("a mesh in another order is renumbered to the same one", "[core][mesh]
   for (std::uint32_t i = 0; i < mesh.n_nodes(); ++i) CHECK(twice.node_place({i}) == again.node_place({i}));
 }
 
-TEST_CASE("512 elements that follow each other are a cube, their nodes near each other", "[core][mesh]") {
+TEST_CASE("512 elements that follow each other are a cube", "[core][mesh]") {
   MeshBuilder b;
   b.add_hexes({.id = 1, .cells = {32, 16, 16}, .size = {32, 16, 16}});
   const Mesh mesh = renumber_mesh(b.build());
   for (std::uint32_t first = 0; first < mesh.n_elements(); first += 512)
     CHECK(n_nodes_of(mesh.blocks()[0], first, 512) == 9 * 9 * 9);
-  const auto nodes = mesh.element_nodes({0});
-  for (std::uint32_t i = 0; i < 8; ++i) CHECK(nodes[i].value == i);
+}
+
+TEST_CASE("nodes of surfaces come before those inside, block by block", "[core][mesh]") {
+  MeshBuilder b;
+  b.add_hexes({.id = 1, .cells = {5, 4, 6}, .size = {5, 4, 6}});
+  b.add_hexes({.id = 2, .cells = {3, 4, 6}, .origin = {5, 0, 0}, .size = {3, 4, 6}});  // joined
+  std::uint32_t n_inside = 7 * 3 * 5;
+  SECTION("hexahedra") {}
+  SECTION("wedges, a shell through hexahedra, a bar in a node inside") {
+    b.add_wedges({.id = 3, .cells = {2, 2, 2}, .origin = {0, 9, 0}});
+    b.add_shells({.id = 4, .cells = {2, 1}, .origin = {1, 1, 2}, .u = {2, 0, 0}, .v = {0, 1, 0}});
+    b.add_bars({.id = 5, .from = {6, 2, 2}, .to = {6, 2, 9}});
+    n_inside += 1 - 6 - 1;
+  }
+  SECTION("tetrahedra of ten nodes and pyramids") {
+    b.add_ten_node_tets({.id = 3, .cells = {2, 2, 2}, .origin = {0, 9, 0}});
+    b.add_pyramids({.id = 4, .cells = {1, 1, 2}, .origin = {0, 11, 0}});
+    // 5^3 nodes and midside nodes in all of 3^3; two apexes of pyramids.
+    n_inside += 3 * 3 * 3 + 2;
+  }
+  const Mesh mesh = renumber_mesh(b.build());
+  const std::set<NodeIndex> on_surface = slow_surface_nodes(mesh);
+  std::uint32_t first = 0, inside = 0;
+  for (const ElementBlock& block : mesh.blocks()) {
+    const std::set<NodeIndex> nodes(block.nodes.begin(), block.nodes.end());
+    bool is_inside = false;
+    for (const NodeIndex node : nodes) {
+      if (node.value < first) continue;  // of a block before
+      CHECK(node.value == first++);
+      is_inside = is_inside || !on_surface.contains(node);
+      CHECK(on_surface.contains(node) != is_inside);
+      if (is_inside) ++inside;
+    }
+  }
+  CHECK(inside == n_inside);
 }
 
 TEST_CASE("meshes without extent, elements or known shapes keep their order", "[core][mesh]") {
