@@ -19,10 +19,9 @@ constexpr double max_recovery = 0.1;
 bool has_force(const ConstraintRow& row, double force) { return row.pulls ? force != 0.0 : force > 0.0; }
 
 /// What the next step is to know of a row that has no force, if anything: the gap at which it touches.
-std::optional<ContactHistory::Entry> entry_without_force(const ConstraintRow& row,
-                                                         const ContactPoint& point) {
-  if (!(row.zero_gap < 0.0)) return std::nullopt;
+ContactHistory::Entry entry_without_force(const ConstraintRow& row, const ContactPoint& point) {
   ContactHistory::Entry begun;
+  if (!(row.zero_gap < 0.0)) return begun;
   begun.area = point.area;
   begun.zero_gap = row.zero_gap;
   return begun;
@@ -88,9 +87,8 @@ ContactHistory::Entry ConstraintLosses::finish_normal(const ConstraintRow& row, 
   return entry;
 }
 
-std::optional<ContactHistory::Entry> ConstraintLosses::finish(const ConstraintRow& row, double force,
-                                                              const NodeVector& change,
-                                                              ContactLoss& loss) const {
+ContactHistory::Entry ConstraintLosses::finish(const ConstraintRow& row, double force,
+                                               const NodeVector& change, ContactLoss& loss) const {
   const ContactPoint& point = system.point_of(row);
   if (!has_force(row, force)) return entry_without_force(row, point);
   const Eigen::Vector3d before = dt_before * relative_velocity(kinematics, point, true),
@@ -101,9 +99,9 @@ std::optional<ContactHistory::Entry> ConstraintLosses::finish(const ConstraintRo
   return entry;
 }
 
-std::optional<ContactHistory::Entry> ConstraintLosses::finish_pressing(const ConstraintRow& row, double force,
-                                                                       double opened_before, double opened,
-                                                                       ContactLoss& loss) const {
+ContactHistory::Entry ConstraintLosses::finish_pressing(const ConstraintRow& row, double force,
+                                                        double opened_before, double opened,
+                                                        ContactLoss& loss) const {
   const ContactPoint& point = system.point_of(row);
   if (!has_force(row, force)) return entry_without_force(row, point);
   const double impact_before =

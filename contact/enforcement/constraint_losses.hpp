@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <optional>
-
 #include "contact/enforcement/constraint_system.hpp"
 #include "contact/enforcement/contact_history.hpp"
 #include "contact/mesh/contact_kinematics.hpp"
@@ -32,17 +30,16 @@ struct ConstraintLosses {
   bool is_first_step;
 
   /// Gives the point of a row its force, friction, slip and losses, and adds these to the sums. Returns what
-  /// the next step is to know of it, if anything.
+  /// the next step is to know of it.
   ///   force   along the normal [force]
   ///   change  by which all forces change gap and slip in the coming step [length]
-  std::optional<ContactHistory::Entry> finish(const ConstraintRow& row, double force,
-                                              const NodeVector& change, ContactLoss& loss) const;
+  ContactHistory::Entry finish(const ConstraintRow& row, double force, const NodeVector& change,
+                               ContactLoss& loss) const;
   /// The same of a row that presses along its normal alone.
   ///   opened_before  by which its gap opened in the step before [length]
   ///   opened         by which all forces open it in the coming step [length]
-  std::optional<ContactHistory::Entry> finish_pressing(const ConstraintRow& row, double force,
-                                                       double opened_before, double opened,
-                                                       ContactLoss& loss) const;
+  ContactHistory::Entry finish_pressing(const ConstraintRow& row, double force, double opened_before,
+                                        double opened, ContactLoss& loss) const;
 
  private:
   ContactHistory::Entry finish_normal(const ConstraintRow& row, double force, double impact_before,

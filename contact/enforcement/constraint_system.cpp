@@ -8,6 +8,7 @@ void ConstraintSystem::clear() {
   groups.clear();
   rows.clear();
   weights.clear();
+  ids.clear();
   frictions.clear();
 }
 
@@ -26,12 +27,14 @@ void ConstraintSystem::remove_rigid_rows() {
     for (std::uint32_t i = first; i < end; ++i) {
       if (!(rows[i].softness > 0.0)) continue;
       rows[n_kept] = rows[i];
-      weights[n_kept++] = weights[i];
+      weights[n_kept] = weights[i];
+      ids[n_kept++] = ids[i];
     }
     group.n_rows = n_kept - group.first_row;
   }
   rows.resize(n_kept);
   weights.resize(n_kept);
+  ids.resize(n_kept);
   std::erase_if(groups, [](const ConstraintGroup& group) { return group.n_rows == 0; });
 }
 

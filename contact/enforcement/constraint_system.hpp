@@ -6,6 +6,7 @@
 #include <span>
 #include <vector>
 
+#include "contact/enforcement/contact_history.hpp"
 #include "contact/enforcement/point_carriers.hpp"
 #include "contact/geometry/contact_point.hpp"
 #include "contact/interface_laws/pair_rules.hpp"
@@ -62,6 +63,7 @@ struct ConstraintSystem {
   std::vector<ConstraintGroup> groups;
   std::vector<ConstraintRow> rows;
   std::vector<PointCarriers::Weights> weights;  ///< [n_rows]
+  std::vector<ContactHistory::PointId> ids;     ///< [n_rows] by which the step after knows them
   std::vector<ConstraintFriction> frictions;
 
   void clear();

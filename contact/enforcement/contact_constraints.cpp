@@ -61,15 +61,13 @@ void ContactConstraints::begin_where_it_is(const ContactPoint& contact_point, do
 /// The gap that a row starts from, how much of it is to close, its friction, and what is known of it.
 void ContactConstraints::set_start(const ContactPoint& contact_point, const PairRule& rule, double thickness,
                                    Row& row) {
-  std::optional<ContactHistory::Entry> known = recall(contact_point);
+  std::optional<ContactHistory::Entry> known = recall(system_.ids.back());
   if (begins_pressed_) begin_where_it_is(contact_point, thickness, known);
-  ContactPoint measured = contact_point;
-  if (known) measured.gap -= known->zero_gap;
   row.zero_gap = known ? known->zero_gap : 0.0;
-  const double allowed = -left_gap(measured, thickness);
-  row.start = measured.gap - contact_point.closing + allowed;
-  row.recovery = std::max(0.0, -measured.gap - allowed);
   row.pulls = contact_point.pulls;
+  const double gap = contact_point.gap - row.zero_gap, allowed = -left_gap(gap, row.pulls, thickness);
+  row.start = gap - contact_point.closing + allowed;
+  row.recovery = std::max(0.0, -gap - allowed);
   if (rule.friction > 0.0) add_friction(contact_point, rule, row);
   if (known) take_over(contact_point, *known, allowed, row);
 }
@@ -90,20 +88,20 @@ void ContactConstraints::add(const ContactPoint& contact_point, const PairRule& 
   if (contact_point.touches())
     carriers_.push(group->terms, weights, node_vector(contact_point.force_on_first()));
   if (!is_constraint) return;
-  Row row;
+  Row& row = system_.rows.emplace_back();
   row.point = static_cast<std::uint32_t>(system_.points.size() - 1);
   row.area = contact_point.area;
+  system_.ids.push_back(ContactHistory::id_of(contact_point));
   set_start(contact_point, rule, thickness, row);
   const bool presses = !row.friction && !group->terms.first_arm;
   if (group == &alone) {
     alone.presses = presses;
     alone.normal = node_vector(contact_point.normal);
-    alone.first_row = static_cast<std::uint32_t>(system_.rows.size());
+    alone.first_row = static_cast<std::uint32_t>(system_.rows.size() - 1);
     system_.groups.push_back(alone);
   }
   if (!presses) system_.groups.back().presses = false;
   ++system_.groups.back().n_rows;
-  system_.rows.push_back(row);
   system_.weights.push_back(weights);
 }
 
@@ -196,19 +194,18 @@ ConstraintPass ContactConstraints::pass(double momentum, const LightCarriers& li
 ContactLoss ContactConstraints::finish() {
   const bool is_first_step = !(dt_before_ > 0.0 || begins_pressed_ || goes_on_);
   const ConstraintLosses losses{system_, *kinematics_, dt_before_, dt_, is_first_step};
-  entries_.resize(system_.rows.size());
-  ContactLoss loss = pressing_.finish(system_, losses, entries_);
+  const std::span<ContactHistory::KnownPoint> known = history_.begin_points(system_.rows.size());
+  ContactLoss loss = pressing_.finish(system_, losses, known);
   if (has_others())
     loss += system_.sum_rows<ContactLoss>(
         system_.n_threads(), [&](const Group& group, std::uint32_t i, ContactLoss& sums) {
           if (group.presses) return;
           const Row& row = system_.rows[i];
-          entries_[i] = losses.finish(row, row.force.dot(group.normal),
-                                      dt_ * carriers_.change(group.terms, system_.weights[i]), sums);
+          known[i] = {system_.ids[i],
+                      losses.finish(row, row.force.dot(group.normal),
+                                    dt_ * carriers_.change(group.terms, system_.weights[i]), sums)};
         });
-  history_.remember_rows(entries_, system_.n_threads(), [this](std::size_t row) -> const ContactPoint& {
-    return system_.point_of(system_.rows[row]);
-  });
+  history_.end(system_.n_threads());
   begins_pressed_ = goes_on_ = false;
   return loss;
 }

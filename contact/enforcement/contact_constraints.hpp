@@ -92,7 +92,7 @@ class ContactConstraints {
   ConstraintPass push_rows(const FindForce& find_force);
   void add_friction(const ContactPoint& contact_point, const PairRule& rule, Row& row);
   void spread_over_faces();
-  std::optional<ContactHistory::Entry> recall(const ContactPoint& contact_point);
+  std::optional<ContactHistory::Entry> recall(const ContactHistory::PointId& id);
   static void begin_where_it_is(const ContactPoint& contact_point, double thickness,
                                 std::optional<ContactHistory::Entry>& known);
   void set_start(const ContactPoint& contact_point, const PairRule& rule, double thickness, Row& row);
@@ -113,7 +113,6 @@ class ContactConstraints {
   PushLists<RowPush> pushes_;                                         // of the others, of several threads
   std::vector<NodeVector> pushing_;                                   // [n_rows] by which they push then
   std::vector<double> row_areas_;                                     // [n_rows] scratch [length^2]
-  std::vector<std::optional<ContactHistory::Entry>> entries_;         // [n_rows] scratch
   std::vector<Need> needs_;                                           // [n_rows] scratch
   std::vector<std::pair<const Group*, std::uint32_t>> light_points_;  // with rows, of light carriers
   ContactHistory history_;

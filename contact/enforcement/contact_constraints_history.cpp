@@ -8,9 +8,9 @@
 namespace contactsim {
 
 /// What is known of a point; nothing is of the gap at which what load steps have pressed touches.
-std::optional<ContactHistory::Entry> ContactConstraints::recall(const ContactPoint& contact_point) {
+std::optional<ContactHistory::Entry> ContactConstraints::recall(const ContactHistory::PointId& id) {
   ContactHistory::Entry known;
-  if (!history_.recall(contact_point, known)) return std::nullopt;
+  if (!history_.recall(id, known)) return std::nullopt;
   return known;
 }
 

@@ -15,6 +15,7 @@
 #include "contact/interface_laws/make_interface_laws.hpp"
 #include "core/base/errors.hpp"
 #include "core/base/memory_pages.hpp"
+#include "core/base/prefetch.hpp"
 #include "core/base/threads.hpp"
 #include "core/definition/contact.hpp"
 
@@ -244,7 +245,11 @@ std::optional<ForceReport> ContactForce::balance(const State& state, Eigen::Matr
   }
   balance_report_ =
       balance_.solve(static_cast<int>(setup_.definition.enforcement.balance_iterations), recovery_energy_);
-  for (const ContactPoint& point : balance_.points()) add_to_sums(point);
+  const auto balanced = balance_.points();
+  for (std::size_t i = 0; i < balanced.size(); ++i) {
+    prefetch(balanced[std::min(i + 4, balanced.size() - 1)]);
+    add_to_sums(balanced[i]);
+  }
   add_constraints(context, to_glue);
   if (preload_forces_.is_settling()) preload_forces_.settle(assembler_);
   if (points_.empty()) {

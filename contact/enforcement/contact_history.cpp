@@ -6,6 +6,7 @@
 #include <string>
 
 #include "core/base/state_archive.hpp"
+#include "core/base/threads.hpp"
 
 namespace contactsim {
 
@@ -16,14 +17,13 @@ ContactHistory::PointId ContactHistory::id_of(const ContactPoint& point) {
   return {kind, point.first_entity, point.second_entity, point.part};
 }
 
-bool ContactHistory::recall(const ContactPoint& point, Entry& found) {
-  const PointId wanted = id_of(point);
+bool ContactHistory::recall(const PointId& wanted, Entry& found) {
   const PointId::Key key = wanted.key();
   if (cursor_ > 0 && !(entries_[cursor_ - 1].key() < key))
     cursor_ = static_cast<std::size_t>(std::ranges::lower_bound(entries_, key, {}, &PointId::key) -
                                        entries_.begin());
   while (cursor_ < entries_.size() && entries_[cursor_].key() < key) ++cursor_;
-  if (cursor_ < entries_.size() && entries_[cursor_].key() == key) {
+  if (cursor_ < entries_.size() && entries_[cursor_].key() == key && entries_[cursor_].is_known()) {
     found = entries_[cursor_];
     return true;
   }
@@ -43,9 +43,11 @@ bool ContactHistory::find_mean(const IsWanted& is_wanted, Entry& found) const {
   std::size_t begin = cursor_, end = cursor_;
   while (begin > 0 && is_wanted(entries_[begin - 1])) --begin;
   while (end < entries_.size() && is_wanted(entries_[end])) ++end;
-  if (begin == end) return false;
+  double area = 0.0;
+  for (std::size_t i = begin; i < end; ++i) area += entries_[i].area;
+  if (!(area > 0.0)) return false;
   found = {};
-  for (std::size_t i = begin; i < end; ++i) found.area += entries_[i].area;
+  found.area = area;
   for (std::size_t i = begin; i < end; ++i) {
     const double share = entries_[i].area / found.area;
     found.pressure += share * entries_[i].pressure;
@@ -71,6 +73,11 @@ double ContactHistory::force_between(const ContactPoint& point) const {
 
 void ContactHistory::remember(const ContactPoint& point, const Entry& entry) {
   entries_.push_back({id_of(point), entry});
+}
+
+std::span<ContactHistory::KnownPoint> ContactHistory::begin_points(std::size_t n_points) {
+  entries_.resize(n_points);
+  return entries_;
 }
 
 void ContactHistory::end(int n_threads) {
@@ -101,6 +108,7 @@ void ContactHistory::remap(const ContactRemap& remap) {
 }
 
 void ContactHistory::archive(StateArchive& saved) {
+  std::erase_if(entries_, [](const KnownPoint& point) { return !point.is_known(); });
   saved.rows("contact/points", entries_, [](KnownPoint& known, RowNumbers& row) {
     row(known.kind, known.first, known.second, known.part, known.pressure, known.traction, known.held,
         known.left, known.area);

@@ -17,9 +17,8 @@ double left_penetration(double gap, double thickness) {
 
 }  // namespace
 
-double left_gap(const ContactPoint& point, double thickness) {
-  return point.pulls && point.gap > 0.0 ? left_penetration(-point.gap, thickness)
-                                        : -left_penetration(point.gap, thickness);
+double left_gap(double gap, bool pulls, double thickness) {
+  return pulls && gap > 0.0 ? left_penetration(-gap, thickness) : -left_penetration(gap, thickness);
 }
 
 }  // namespace contactsim

@@ -8,21 +8,18 @@
 namespace contactsim {
 
 bool PointCarriers::find_plain(const ContactPoint& contact_point, Terms& terms, Weights& weights) const {
-  const auto find_side = [&](const ContactPointSide& side, double sign, std::uint8_t first_corner) {
-    for (std::uint8_t k = 0; k < 4; ++k) {
-      const double weight = side.weights[k];
+  const auto find_side = [&](const ContactPointSide& side, double sign, std::size_t first_corner) {
+    for (std::size_t k = 0; k < 4; ++k) {
+      const double weight = side.weights[static_cast<Eigen::Index>(k)];
       if (weight == 0.0) continue;
-      const auto corner = static_cast<std::uint8_t>(first_corner + k);
-      std::size_t term = 0;
-      while (term < terms.n_terms && terms.corners[term] != corner) ++term;
-      if (term == terms.n_terms) {
+      std::uint8_t& term = terms.of_corners[first_corner + k];
+      if (term == 0) {
         const std::optional<std::uint32_t> carrier = mobility_.plain_carrier(side.nodes[k]);
         if (!carrier) return false;
-        terms.corners[term] = corner;
-        terms.carriers[term] = *carrier;
-        ++terms.n_terms;
+        terms.carriers[terms.n_terms++] = *carrier;
+        term = static_cast<std::uint8_t>(terms.n_terms);
       }
-      weights[term] = sign * weight;
+      weights[term - 1u] = sign * weight;
     }
     return true;
   };

@@ -26,8 +26,9 @@ class PointCarriers {
   struct Terms {
     std::array<std::uint32_t, max_terms> carriers{};
     std::uint32_t n_terms = 0;
-    OptionalIndex<std::uint32_t> first_arm;         ///< of the carriers; none where all are plain
-    std::array<std::uint8_t, max_terms> corners{};  ///< of both sides, of plain carriers
+    OptionalIndex<std::uint32_t> first_arm;  ///< of the carriers; none where all are plain
+    /// Of plain carriers: the term of each corner, those of the second side behind; 0 without, else 1 more.
+    std::array<std::uint8_t, max_terms> of_corners{};
   };
   /// Along which forces of a point its carriers turn.
   struct Direction {

@@ -247,7 +247,7 @@ ConstraintPass PressingRows::pass(const ConstraintSystem& system, double dt, dou
 }
 
 ContactLoss PressingRows::finish(ConstraintSystem& system, const ConstraintLosses& losses,
-                                 std::span<std::optional<ContactHistory::Entry>> entries) {
+                                 std::span<ContactHistory::KnownPoint> known) {
   const int n_threads = system.n_threads();
   last_velocities_.resize(mobility_.n_carriers());
   parallel_for(last_velocities_.size(), n_threads, [this](std::size_t i) {
@@ -264,9 +264,8 @@ ContactLoss PressingRows::finish(ConstraintSystem& system, const ConstraintLosse
       for (std::uint32_t i = group.first_row; i < group.end_row(); ++i) {
         const Lanes weights = lanes_of(system.weights[i]);
         const double force = rows_.force[i];
-        system.rows[i].force = force * NodeVector(group.normal);
-        entries[i] = losses.finish_pressing(system.rows[i], force, (weights * opened).sum(),
-                                            (weights * opening).sum(), sums);
+        known[i] = {system.ids[i], losses.finish_pressing(system.rows[i], force, (weights * opened).sum(),
+                                                          (weights * opening).sum(), sums)};
       }
     }
   });

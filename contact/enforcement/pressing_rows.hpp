@@ -4,7 +4,6 @@
 #include <Eigen/Core>
 #include <array>
 #include <cstdint>
-#include <optional>
 #include <span>
 #include <vector>
 
@@ -41,9 +40,9 @@ class PressingRows {
   ConstraintPass pass(const ConstraintSystem& system, double dt, double momentum);
   /// Gives the rows of the system their forces, their points what ConstraintLosses gives them, and adds the
   /// losses up.
-  ///   entries  [n_rows of the system] gets what the next step is to know of the rows that press
+  ///   known  [n_rows of the system] gets what the next step is to know of the rows that press
   ContactLoss finish(ConstraintSystem& system, const ConstraintLosses& losses,
-                     std::span<std::optional<ContactHistory::Entry>> entries);
+                     std::span<ContactHistory::KnownPoint> known);
 
  private:
   /// What a pass reads of a group; carriers beyond its terms have no weight.

@@ -34,24 +34,27 @@ struct ContactPoint {
   bool knows_work = false;     ///< work_before and work_after are those of its whole force
   bool pulls = false;          ///< it has touched and may not part: a gap pulls
   std::uint8_t part = 0;       ///< of several contact points between the same entities
-  ContactPointSide first, second;
+
+  // What is read and written when forces are known already, close together.
+  double force = 0.0;        ///< along the normal on the first side; < 0 where a tie pulls [force]
+  double area = 0.0;         ///< that touches [length^2]
+  double gap = 0.0;          ///< < 0 when they touch [length]
+  double closing = 0.0;      ///< by which the gap would shrink in the coming step, is_balanced only [length]
+  double impact = 0.0;       ///< where sides met without rebound, in the step [energy]
+  double work_before = 0.0;  ///< taken from the bodies in the half step before [energy]
+  double work_after = 0.0;   ///< the same in the half step to come [energy]
+
   Eigen::Vector3d normal = Eigen::Vector3d::Zero();  ///< unit, from the second side to the first [1]
-  double force = 0.0;  ///< along the normal on the first side; < 0 where a tie pulls [force]
-  Eigen::Vector3d tangential = Eigen::Vector3d::Zero();    ///< on the first side [force]
-  Eigen::Vector3d elastic_slip = Eigen::Vector3d::Zero();  ///< slip that the tangential spring holds [length]
+  ContactPointSide first, second;
   double stiffness = 0.0;  ///< for the stable step, damping included [force/length]
-  double area = 0.0;       ///< that touches [length^2]
-  double gap = 0.0;        ///< < 0 when they touch [length]
   double begin_gap = 0.0;  ///< at which the pressure begins, from where `gap` counts [length]
   double deepest = 0.0;    ///< penetration of any of its points, of the penalty only [length]
-  double closing = 0.0;    ///< by which the gap would shrink in the coming step, is_balanced only [length]
-  Eigen::Vector3d slip = Eigen::Vector3d::Zero();  ///< lost in the step [length]
-  double dissipated = 0.0;                         ///< by friction in the step [energy]
-  double damped = 0.0;                             ///< by contact damping in the step [energy]
-  double impact = 0.0;                             ///< where sides met without rebound, in the step [energy]
-  double work_before = 0.0;                        ///< taken from the bodies in the half step before [energy]
-  double work_after = 0.0;                         ///< the same in the half step to come [energy]
-  double beyond_spring = 0.0;                      ///< stored besides what springs would store [energy]
+  Eigen::Vector3d tangential = Eigen::Vector3d::Zero();    ///< on the first side [force]
+  Eigen::Vector3d elastic_slip = Eigen::Vector3d::Zero();  ///< slip that the tangential spring holds [length]
+  Eigen::Vector3d slip = Eigen::Vector3d::Zero();          ///< lost in the step [length]
+  double dissipated = 0.0;                                 ///< by friction in the step [energy]
+  double damped = 0.0;                                     ///< by contact damping in the step [energy]
+  double beyond_spring = 0.0;  ///< stored besides what springs would store [energy]
 
   /// Whether its first side is a node that meets a face, not a plane.
   bool is_of_node_and_face() const { return first.is_node() && !is_of_edges && !second.weights.isZero(0.0); }

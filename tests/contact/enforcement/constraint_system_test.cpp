@@ -17,6 +17,7 @@ ConstraintSystem system_of_groups(std::uint32_t n_groups) {
     for (std::uint32_t i = 0; i < group.n_rows; ++i) {
       system.rows.emplace_back().point = static_cast<std::uint32_t>(system.points.size());
       system.rows.back().softness = 1.0;
+      system.ids.push_back({0, system.rows.back().point, 0, 0});
       system.weights.emplace_back()[0] = system.points.emplace_back().area = 1.0 + system.rows.back().point;
     }
   }
@@ -83,6 +84,7 @@ TEST_CASE("rows without softness are removed, with the groups that have no other
   for (std::size_t i = 0; i < 4; ++i) {
     CHECK(system.rows[i].point == points[i]);
     CHECK(system.weights[i][0] == 1.0 + points[i]);
+    CHECK(system.ids[i].first == points[i]);
   }
 }
 

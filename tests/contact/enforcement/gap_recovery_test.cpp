@@ -5,27 +5,16 @@
 
 using namespace contactsim;
 
-namespace {
-
-ContactPoint point_at(double open, bool pulls = false) {
-  ContactPoint point;
-  point.gap = open;
-  point.pulls = pulls;
-  return point;
-}
-
-}  // namespace
-
 TEST_CASE("a fifth of a penetration comes out in a step, and no more than the thickness allows",
           "[contact][enforcement]") {
-  CHECK(left_gap(point_at(-1e-4), 1.0) == Approx(-0.8e-4));
-  CHECK(left_gap(point_at(-1e-2), 1.0) == Approx(-1e-2 + 2e-4));
-  CHECK(left_gap(point_at(-1e-2), 10.0) == Approx(-0.8e-2));
+  CHECK(left_gap(-1e-4, false, 1.0) == Approx(-0.8e-4));
+  CHECK(left_gap(-1e-2, false, 1.0) == Approx(-1e-2 + 2e-4));
+  CHECK(left_gap(-1e-2, false, 10.0) == Approx(-0.8e-2));
 }
 
 TEST_CASE("an open gap may close, what may not part comes back as slowly", "[contact][enforcement]") {
-  CHECK(left_gap(point_at(1e-4), 1.0) == 0.0);
-  CHECK(left_gap(point_at(1e-4, true), 1.0) == Approx(0.8e-4));
-  CHECK(left_gap(point_at(1e-2, true), 1.0) == Approx(1e-2 - 2e-4));
-  CHECK(left_gap(point_at(-1e-4, true), 1.0) == Approx(-0.8e-4));
+  CHECK(left_gap(1e-4, false, 1.0) == 0.0);
+  CHECK(left_gap(1e-4, true, 1.0) == Approx(0.8e-4));
+  CHECK(left_gap(1e-2, true, 1.0) == Approx(1e-2 - 2e-4));
+  CHECK(left_gap(-1e-4, true, 1.0) == Approx(-0.8e-4));
 }
