@@ -38,8 +38,7 @@ class PressingRows {
   void push_forces(const ConstraintSystem& system);
   /// Finds the next forces, and pushes the carriers by those that the pass after starts from.
   ConstraintPass pass(const ConstraintSystem& system, double dt, double momentum);
-  /// Gives the rows of the system their forces, their points what ConstraintLosses gives them, and adds the
-  /// losses up.
+  /// Gives the points of the rows what ConstraintLosses gives them, and adds the losses up.
   ///   known  [n_rows of the system] gets what the next step is to know of the rows that press
   ContactLoss finish(ConstraintSystem& system, const ConstraintLosses& losses,
                      std::span<ContactHistory::KnownPoint> known);
