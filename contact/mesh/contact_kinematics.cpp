@@ -207,12 +207,12 @@ void ContactKinematics::bound(Faces which) {
   bounded_ = which;
   bounds_.resize(contact_mesh_.faces.size());
   const std::size_t n = n_bounded();
-  parallel_for(n, threads_for(n), [&](std::size_t i) { set_bound(bounded(i)); });
+  parallel_for(n, threads_for(10 * n), [&](std::size_t i) { set_bound(bounded(i)); });
 }
 
 void ContactKinematics::find_turns(double motion, IndexedVector<FaceIndex, float>& turns) const {
   turns.resize(contact_mesh_.faces.size());
-  parallel_for(n_bounded(), threads_for(n_bounded()), [&](std::size_t i) {
+  parallel_for(n_bounded(), threads_for(10 * n_bounded()), [&](std::size_t i) {
     const FaceIndex face = bounded(i);
     turns[face] = largest_turn(bounds_[face], contact_mesh_.faces[face].is_triangle(), motion);
   });

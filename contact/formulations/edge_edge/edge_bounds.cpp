@@ -30,7 +30,7 @@ void EdgeBounds::update(const ContactKinematics& kinematics, std::span<const Edg
   if (edges.empty()) return;
   positions_.begin(kinematics.x(edges[{0}].nodes[0]));
   const auto n = static_cast<std::uint32_t>(of.size());
-  parallel_for(n, threads_for(n), [&](std::uint32_t i) {
+  parallel_for(n, threads_for(std::size_t{10} * n), [&](std::uint32_t i) {
     const ContactEdge& edge = edges[of[i]];
     const Eigen::Vector3d from = kinematics.x(edge.nodes[0]), along = kinematics.x(edge.nodes[1]) - from;
     const Eigen::Vector3d v0 = kinematics.v(edge.nodes[0]), v1 = kinematics.v(edge.nodes[1]);

@@ -18,7 +18,7 @@ void FacePairBounds::update(const ContactKinematics& kinematics) {
   if (faces.empty()) return;
   positions_.begin(kinematics.x(faces[{0}].corners[0]));
   const auto n = static_cast<std::uint32_t>(kinematics.n_bounded());
-  parallel_for(n, threads_for(n), [&](std::uint32_t i) {
+  parallel_for(n, threads_for(std::size_t{10} * n), [&](std::uint32_t i) {
     const FaceIndex face = kinematics.bounded(i);
     const FaceBound& bound = kinematics.bound(face);
     bounds_[face] = {positions_.position(bound.centre()),

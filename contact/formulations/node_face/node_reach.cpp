@@ -35,7 +35,7 @@ void ReachBounds::update(const ContactStepContext& context) {
   if (faces.empty()) return;
   positions_.begin(now.x(faces[{0}].corners[0]));
   const auto n = static_cast<std::uint32_t>(now.n_bounded());
-  parallel_for(n, threads_for(n), [&](std::uint32_t i) {
+  parallel_for(n, threads_for(std::size_t{10} * n), [&](std::uint32_t i) {
     const FaceIndex face = now.bounded(i);
     const FaceBound& bound = now.bound(face);
     bounds_[face] = {position(bound.centre()),
