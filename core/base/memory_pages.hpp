@@ -23,6 +23,12 @@ inline void set_zero_without_memory(Eigen::Matrix3Xd& values) {
 ///   bytes  on the heap
 void prefer_huge_pages(std::span<const std::byte> bytes);
 
+/// Gives a matrix its columns, whose numbers are unknown then, in huge pages if there are any.
+inline void resize_in_huge_pages(Eigen::Index n_columns, Eigen::Matrix3Xd& values) {
+  values.resize(3, n_columns);
+  prefer_huge_pages(std::as_bytes(std::span(values.data(), static_cast<std::size_t>(values.size()))));
+}
+
 /// Gives a vector n equal items, in huge pages if there are any.
 template <class Item>
 void assign_in_huge_pages(std::size_t n, const Item& item, std::vector<Item>& items) {

@@ -6,6 +6,7 @@
 #include <optional>
 #include <utility>
 
+#include "core/base/memory_pages.hpp"
 #include "core/conditions/initial_velocity.hpp"
 #include "core/definition/region.hpp"
 #include "core/dynamics/initial_condition.hpp"
@@ -42,7 +43,8 @@ void set_block(const InitialElementValues& given, const ModelBlock& block, Model
 
 InitialState make_initial_state(const ConditionScope& scope, std::span<const ModelBlock> blocks) {
   InitialState state;
-  state.velocity.setZero(3, scope.mesh.n_nodes());
+  resize_in_huge_pages(scope.mesh.n_nodes(), state.velocity);
+  state.velocity.setZero();
   const bool turns =
       std::ranges::any_of(blocks, [](const ModelBlock& block) { return block.element->has_rotations; });
   if (turns) state.angular_velocity = state.velocity;

@@ -11,28 +11,18 @@
 
 namespace contactsim {
 
-namespace {
-
-/// Vectors of all nodes, which each step walks through.
-void resize_at_nodes(Eigen::Index n_nodes, Eigen::Matrix3Xd& values) {
-  values.resize(3, n_nodes);
-  prefer_huge_pages(std::as_bytes(std::span(values.data(), static_cast<std::size_t>(values.size()))));
-}
-
-}  // namespace
-
 State make_state(const Eigen::Matrix3Xd& coordinates, std::span<const ModelBlock> blocks, double time,
                  Eigen::Matrix3Xd velocity, bool has_loads) {
   State state;
   state.time = time;
   const auto set_zero = [&](Eigen::Matrix3Xd& values) {
-    resize_at_nodes(coordinates.cols(), values);
+    resize_in_huge_pages(coordinates.cols(), values);
     values.setZero();
   };
-  resize_at_nodes(coordinates.cols(), state.coordinates);
+  resize_in_huge_pages(coordinates.cols(), state.coordinates);
   state.coordinates = coordinates;
-  set_zero(state.velocity);
-  if (velocity.cols() > 0) state.velocity = velocity;
+  state.velocity = std::move(velocity);
+  if (state.velocity.cols() == 0) set_zero(state.velocity);
   set_zero(state.acceleration);
   set_zero(state.forces.internal);
   if (has_loads) set_zero(state.forces.external);
