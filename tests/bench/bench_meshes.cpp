@@ -8,6 +8,8 @@
 #include <numeric>
 #include <random>
 
+#include "core/mesh/renumber_mesh.hpp"
+
 namespace contactsim::bench {
 
 namespace {
@@ -134,7 +136,7 @@ Mesh make_shell_sheet(std::uint32_t n) {
       block.nodes.push_back({corner});
   }
   parts.blocks.push_back(std::move(block));
-  return Mesh(std::move(parts));
+  return renumber_mesh(Mesh(std::move(parts)));
 }
 
 Mesh make_tet_cube(std::uint32_t n) {
@@ -155,7 +157,7 @@ Mesh make_tet_cube(std::uint32_t n) {
     }
   }
   parts.blocks.push_back(std::move(block));
-  return Mesh(std::move(parts));
+  return renumber_mesh(Mesh(std::move(parts)));
 }
 
 Mesh make_hex_cube(std::uint32_t n, std::uint32_t n_blocks, bool shuffled) {
@@ -167,7 +169,8 @@ Mesh make_hex_cube(std::uint32_t n, std::uint32_t n_blocks, bool shuffled) {
     parts.blocks.push_back(make_block(n, first, n_cells, shuffled));
     parts.blocks.back().id = b + 1;
   }
-  return Mesh(std::move(parts));
+  Mesh mesh(std::move(parts));
+  return shuffled ? mesh : renumber_mesh(std::move(mesh));
 }
 
 QuadSurface make_cubed_sphere(std::uint32_t n, double radius, double noise) {

@@ -10,8 +10,10 @@
 
 namespace contactsim::bench {
 
+// Elements and nodes are numbered as a run numbers them: renumber_mesh().
+
 /// A cube of n x n x n unit hexahedra in cubic blocks of n / n_blocks cells along each edge.
-///   shuffled  whether the elements of each block stand in a random (fixed) order
+///   shuffled  the elements of each block stand in a random (fixed) order instead
 /// Precondition: n_blocks divides n.
 Mesh make_hex_cube(std::uint32_t n, std::uint32_t n_blocks = 1, bool shuffled = false);
 

@@ -6,6 +6,8 @@
 #include <cmath>
 
 #include "core/elements/elements.hpp"
+#include "core/mesh/renumber_mesh.hpp"
+#include "core/mesh/skin.hpp"
 #include "machine_limits.hpp"
 
 namespace contactsim::bench {
@@ -50,7 +52,7 @@ Mesh make_sphere_layers(std::uint32_t n, double gap) {
   parts.coordinates.resize(3, 0);
   parts.blocks.push_back(add_layer(pair.inner, true, parts));
   parts.blocks.push_back(add_layer(outer, false, parts));
-  return Mesh(std::move(parts));
+  return renumber_mesh(Mesh(std::move(parts)));
 }
 
 ContactSurface surface_of(const std::string& name, std::uint32_t first, std::uint32_t n, int side) {
@@ -100,22 +102,16 @@ Mesh make_two_cubes() {
     for (NodeIndex& node : block.nodes) node.value += b * static_cast<std::uint32_t>(n);
     parts.blocks.push_back(std::move(block));
   }
-  return Mesh(std::move(parts));
+  return renumber_mesh(Mesh(std::move(parts)));
 }
 
-/// All outside faces of a cube of 64 x 64 x 64 whose elements begin somewhere.
-ContactSurface skin_of_cube(const std::string& name, std::uint32_t first) {
-  constexpr std::uint32_t n = 64;
+/// All outside faces of a block.
+ContactSurface skin_of(const std::string& name, const Mesh& mesh, std::size_t block) {
+  const Skin skin = make_skin(mesh, std::vector<std::uint8_t>(mesh.n_elements(), 1));
+  const auto sides = skin.sides_of_block(mesh.blocks()[block]);
   ContactSurface surface;
   surface.name = name;
-  for (std::uint32_t e = 0; e < n * n * n; ++e) {
-    const std::array<std::uint32_t, 3> at{e % n, e / n % n, e / n / n};
-    const std::array<std::uint32_t, 6> edge{at[1], n - 1 - at[0], n - 1 - at[1], at[0], at[2], n - 1 - at[2]};
-    for (int side = 1; side <= 6; ++side) {
-      if (edge[static_cast<std::size_t>(side - 1)] == 0)
-        surface.faces.push_back(ElementSide(ElementIndex{first + e}, side));
-    }
-  }
+  surface.faces.assign(sides.begin(), sides.end());
   return surface;
 }
 
@@ -186,7 +182,7 @@ std::optional<ForceReport> Timed::balance(const State& state, Eigen::Matrix3Xd& 
 }
 
 ImpactScene::ImpactScene(PairSettings settings) : mesh_(make_two_cubes()), model_(make_model(mesh_)) {
-  contact_ = make_pair(skin_of_cube("low", 0), skin_of_cube("high", 64 * 64 * 64), settings);
+  contact_ = make_pair(skin_of("low", mesh_, 0), skin_of("high", mesh_, 1), settings);
   state_ = make_state(mesh_.coordinates(), model_.blocks, 0.0);
   state_.velocity.rightCols(state_.velocity.cols() / 2).row(2).setConstant(-50.0);
   state_.forces.contact = Eigen::Matrix3Xd::Zero(3, state_.velocity.cols());

@@ -11,7 +11,6 @@
 #include "core/dynamics/rank_traffic.hpp"
 #include "core/elements/elements.hpp"
 #include "core/materials/elastic.hpp"
-#include "core/mesh/renumber_mesh.hpp"
 
 namespace contactsim::bench {
 
@@ -38,7 +37,7 @@ double efficiency(double compute, const Network& network, const RankTraffic& tra
 }
 
 void print_rows(std::uint32_t n, double seconds_per_element) {
-  const Mesh mesh = renumber_mesh(make_hex_cube(n));
+  const Mesh mesh = make_hex_cube(n);
   Model model;
   model.mesh = &mesh;
   model.blocks.push_back(
