@@ -70,7 +70,7 @@ double PointCarriers::share(const Terms& terms, const Weights& weights, std::siz
 
 void PointCarriers::add_loads(const Terms& terms, const Weights& weights, const Direction& direction,
                               double area, const LeaningAreas& areas, std::vector<CarrierLoad>& loads) const {
-  const auto side = [&](std::size_t term) { return weights[term] > 0.0 ? 0 : 1; };
+  const auto side = [&](std::size_t term) { return std::size_t{weights[term] > 0.0 ? 0u : 1u}; };
   std::array<double, 2> sides{};
   for (std::size_t i = 0; i < terms.n_terms; ++i)
     sides[side(i)] += share(terms, weights, i, direction, areas);

@@ -13,36 +13,30 @@ namespace contactsim {
 namespace {
 
 /// The pages that lie in some memory as a whole.
-class Pages {
- public:
-  explicit Pages(std::span<const std::byte> bytes) {
-    const auto page = static_cast<std::uintptr_t>(sysconf(_SC_PAGESIZE));
-    const auto first = reinterpret_cast<std::uintptr_t>(bytes.data());
-    begin_ = (first + page - 1) / page * page;
-    end_ = std::max(begin_, (first + bytes.size()) / page * page);
-  }
-  void* begin() const { return reinterpret_cast<void*>(begin_); }
-  void* end() const { return reinterpret_cast<void*>(end_); }
-  std::size_t size() const { return end_ - begin_; }
-
- private:
-  std::uintptr_t begin_ = 0, end_ = 0;
-};
+std::span<std::byte> whole_pages(std::span<std::byte> bytes) {
+  const auto page = static_cast<std::size_t>(sysconf(_SC_PAGESIZE));
+  const std::size_t before = (page - reinterpret_cast<std::uintptr_t>(bytes.data()) % page) % page;
+  if (bytes.size() < before) return {};
+  return bytes.subspan(before, (bytes.size() - before) / page * page);
+}
 
 }  // namespace
 
 void set_zero_without_memory(std::span<double> values) {
-  const Pages pages(std::as_bytes(values));
-  double *const begin = values.data(), *const end = begin + values.size();
+  const std::span<std::byte> all = std::as_writable_bytes(values), pages = whole_pages(all);
   // Linux gives private memory back as zeros; it refuses for locked pages, among others.
-  const bool is_given_back = pages.size() > 0 && madvise(pages.begin(), pages.size(), MADV_DONTNEED) == 0;
-  std::fill(begin, is_given_back ? static_cast<double*>(pages.begin()) : end, 0.0);
-  if (is_given_back) std::fill(static_cast<double*>(pages.end()), end, 0.0);
+  if (pages.empty() || madvise(pages.data(), pages.size(), MADV_DONTNEED) != 0) {
+    std::ranges::fill(values, 0.0);
+    return;
+  }
+  const std::size_t begin = static_cast<std::size_t>(pages.data() - all.data()) / sizeof(double);
+  std::ranges::fill(values.first(begin), 0.0);
+  std::ranges::fill(values.subspan(begin + pages.size() / sizeof(double)), 0.0);
 }
 
-void prefer_huge_pages(std::span<const std::byte> bytes) {
-  const Pages pages(bytes);
-  if (pages.size() > 0) madvise(pages.begin(), pages.size(), MADV_HUGEPAGE);
+void prefer_huge_pages(std::span<std::byte> bytes) {
+  const std::span<std::byte> pages = whole_pages(bytes);
+  if (!pages.empty()) madvise(pages.data(), pages.size(), MADV_HUGEPAGE);
 }
 
 void return_freed_memory() { malloc_trim(0); }

@@ -21,12 +21,13 @@ inline void set_zero_without_memory(Eigen::Matrix3Xd& values) {
 /// is walked through or picked from in each step. To be called before its first use; a system that has none
 /// to give leaves it as it is.
 ///   bytes  on the heap
-void prefer_huge_pages(std::span<const std::byte> bytes);
+void prefer_huge_pages(std::span<std::byte> bytes);
 
 /// Gives a matrix its columns, whose numbers are unknown then, in huge pages if there are any.
 inline void resize_in_huge_pages(Eigen::Index n_columns, Eigen::Matrix3Xd& values) {
   values.resize(3, n_columns);
-  prefer_huge_pages(std::as_bytes(std::span(values.data(), static_cast<std::size_t>(values.size()))));
+  prefer_huge_pages(
+      std::as_writable_bytes(std::span(values.data(), static_cast<std::size_t>(values.size()))));
 }
 
 /// Gives a vector n equal items, in huge pages if there are any.
@@ -34,7 +35,7 @@ template <class Item>
 void assign_in_huge_pages(std::size_t n, const Item& item, std::vector<Item>& items) {
   items = {};
   items.reserve(n);
-  prefer_huge_pages(std::as_bytes(std::span(items.data(), n)));
+  prefer_huge_pages(std::as_writable_bytes(std::span(items.data(), n)));
   items.assign(n, item);
 }
 

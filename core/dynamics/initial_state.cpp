@@ -10,6 +10,7 @@
 #include "core/conditions/initial_velocity.hpp"
 #include "core/definition/region.hpp"
 #include "core/dynamics/initial_condition.hpp"
+#include "core/elements/element_table.hpp"
 
 namespace contactsim {
 

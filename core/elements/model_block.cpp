@@ -79,7 +79,7 @@ ModelBlock make_block(const Mesh& mesh, std::uint32_t mesh_block, const ElementF
   numbering.begin(block);
   for (std::size_t batch = 0; batch < block.n_batches(); batch += ModelBlock::batches_per_chunk)
     numbering.add_chunk(batch, std::min(ModelBlock::batches_per_chunk, block.n_batches() - batch), block);
-  numbering.end(block);
+  ChunkNumbering::end(block);
   block.sums = NodeSums(block.chunk_nodes, mesh.n_nodes());
   return block;
 }
@@ -168,7 +168,7 @@ void split_chunks(const Mesh& mesh, std::span<const std::uint8_t> is_subcycled, 
     block.chunks.back().is_subcycled = is_subcycled[first] != 0;
     first += n_batches;
   }
-  numbering.end(block);
+  ChunkNumbering::end(block);
   block.sums = NodeSums(block.chunk_nodes, mesh.n_nodes(), find_places(block, false));
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "core/mesh/renumber_mesh.hpp"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <numeric>
 #include <span>
