@@ -124,7 +124,8 @@ void reorder_elements(MeshParts& parts) {
 /// A number of a node by which those of its neighbours tell nothing of it. Source: Steele, Lea and Flood,
 /// OOPSLA 2014, 453-472: SplittableRandom, Stafford's variant 13.
 std::uint64_t mixed(std::uint64_t node) {
-  node = (node + 0x9e3779b97f4a7c15u) * 0xbf58476d1ce4e5b9u;
+  node += 0x9e3779b97f4a7c15u;
+  node = (node ^ (node >> 30)) * 0xbf58476d1ce4e5b9u;
   node = (node ^ (node >> 27)) * 0x94d049bb133111ebu;
   return node ^ (node >> 31);
 }
